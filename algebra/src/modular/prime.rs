@@ -1,0 +1,103 @@
+//! Word-sized primes: a deterministic test and one fixed, descending sequence.
+
+/// The sequence of [`primes`] starts below this power of two, so that the sum of two residues never overflows a word.
+pub(crate) const PRIME_LIMIT: u64 = 1 << 62;
+
+/// `PRIME_LIMIT - p` for the first primes p of the sequence; a test compares the table with the search.
+const FIRST_GAPS: [u64; 24] = [
+    57, 87, 117, 143, 153, 167, 171, 195, 203, 273, 287, 317, 443, 483, 495, 575, 581, 603, 633, 663, 765, 773, 777, 791,
+];
+
+/// Decides whether `n` is prime.
+///
+/// Strong pseudoprime tests (Miller, Rabin) to the first twelve prime bases, which decide every n below 3.18·10²³
+/// (Sorenson and Webster, *Strong pseudoprimes to twelve prime bases*, 2017). At most twelve modular powers.
+pub(crate) fn is_prime(n: u64) -> bool {
+    const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    if n < 2 {
+        return false;
+    }
+    for base in BASES {
+        if n.is_multiple_of(base) {
+            return n == base;
+        }
+    }
+    let twos = (n - 1).trailing_zeros();
+    let odd = (n - 1) >> twos;
+    BASES.iter().all(|&base| {
+        let mut power = power_modulo(base, odd, n);
+        if power == 1 || power == n - 1 {
+            return true;
+        }
+        for _ in 1..twos {
+            power = multiply_modulo(power, power, n);
+            if power == n - 1 {
+                return true;
+            }
+        }
+        false
+    })
+}
+
+/// All odd primes below 2⁶² in descending order: the moduli of every modular algorithm, always tried in this order.
+///
+/// The first of them are tabulated, the others are searched on demand (some twenty candidates for each).
+pub(crate) fn primes() -> impl Iterator<Item = u64> {
+    let tabulated = FIRST_GAPS.iter().map(|gap| PRIME_LIMIT - gap);
+    tabulated.chain(odd_primes_below(PRIME_LIMIT - FIRST_GAPS[FIRST_GAPS.len() - 1]))
+}
+
+/// The odd primes below an odd `limit`, descending, by search.
+fn odd_primes_below(limit: u64) -> impl Iterator<Item = u64> {
+    (3..limit).rev().filter(|n| !n.is_multiple_of(2)).filter(|&n| is_prime(n))
+}
+
+fn multiply_modulo(a: u64, b: u64, n: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(n)) as u64
+}
+
+fn power_modulo(mut base: u64, mut exponent: u64, n: u64) -> u64 {
+    let mut result = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = multiply_modulo(result, base, n);
+        }
+        base = multiply_modulo(base, base, n);
+        exponent >>= 1;
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_sieve() {
+        let limit = 20_000_usize;
+        let mut composite = vec![false; limit];
+        for n in 2..limit {
+            assert_eq!(is_prime(n as u64), !composite[n], "{n}");
+            (n * n..limit).step_by(n).for_each(|multiple| composite[multiple] = true);
+        }
+    }
+
+    #[test]
+    fn pseudoprimes_and_large_numbers() {
+        for strong_pseudoprime in [2047, 1_373_653, 25_326_001, 3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051]
+        {
+            assert!(!is_prime(strong_pseudoprime), "{strong_pseudoprime}");
+        }
+        assert!(is_prime(18_446_744_073_709_551_557));
+        assert!(!is_prime(u64::MAX));
+    }
+
+    #[test]
+    fn the_table_is_what_the_search_finds() {
+        let found: Vec<u64> = odd_primes_below(PRIME_LIMIT).take(FIRST_GAPS.len()).collect();
+        let gaps: Vec<u64> = found.iter().map(|prime| PRIME_LIMIT - prime).collect();
+        assert_eq!(gaps, FIRST_GAPS);
+        let beyond: Vec<u64> = primes().take(FIRST_GAPS.len() + 2).collect();
+        assert!(beyond.is_sorted_by(|a, b| a > b) && beyond.iter().all(|&prime| is_prime(prime)));
+    }
+}

@@ -1,0 +1,436 @@
+//! Integers of any size, with a fast path for those that fit a machine word.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use std::str::FromStr;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{Num, One, Signed, ToPrimitive, Zero};
+
+/// An integer of any size.
+///
+/// Values in the range of `i64` are stored without allocation; only larger ones are a [`BigInt`]. The representation
+/// is canonical (a value that fits is never stored big), so equality and hashing are structural.
+///
+/// # Example
+/// ```
+/// use hodograph_algebra::Int;
+/// let big = Int::from(i64::MAX) * Int::from(2);
+/// assert_eq!(big.to_string(), "18446744073709551614");
+/// assert_eq!(big / Int::from(2), Int::from(i64::MAX));
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Int(Repr);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    Small(i64),
+    Big(Box<BigInt>),
+}
+
+use Repr::{Big, Small};
+
+impl Int {
+    /// Zero.
+    pub const ZERO: Int = Int(Small(0));
+    /// One.
+    pub const ONE: Int = Int(Small(1));
+
+    /// The value as a machine word, if it fits.
+    #[must_use]
+    pub fn small(&self) -> Option<i64> {
+        match &self.0 {
+            Small(value) => Some(*value),
+            Big(_) => None,
+        }
+    }
+
+    /// The value as a [`BigInt`].
+    #[must_use]
+    pub fn to_big(&self) -> BigInt {
+        match &self.0 {
+            Small(value) => BigInt::from(*value),
+            Big(value) => (**value).clone(),
+        }
+    }
+
+    /// The number of bits of the absolute value; zero for zero.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Small(value) => u64::from(64 - value.unsigned_abs().leading_zeros()),
+            Big(value) => value.bits(),
+        }
+    }
+
+    /// `self` to the power `exponent`.
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Int {
+        if let Some(power) = self.small().and_then(|value| value.checked_pow(exponent)) {
+            return power.into();
+        }
+        crate::budget::spend((self.bits() * u64::from(exponent) / 64).pow(2) / 16);
+        self.to_big().pow(exponent).into()
+    }
+
+    /// The largest integer whose square is at most `self`, for `self ≥ 0`; zero for negative `self`.
+    #[must_use]
+    pub fn isqrt(&self) -> Int {
+        match &self.0 {
+            Small(value) => Int(Small(value.max(&0).isqrt())),
+            Big(value) if value.is_negative() => Int::ZERO,
+            Big(value) => value.sqrt().into(),
+        }
+    }
+
+    /// The nonnegative square root, if `self` is a perfect square.
+    #[must_use]
+    pub fn exact_sqrt(&self) -> Option<Int> {
+        if self.is_negative() {
+            return None;
+        }
+        let root = self.isqrt();
+        (&root * &root == *self).then_some(root)
+    }
+
+    /// `self · 2^bits`.
+    #[must_use]
+    pub fn shl(&self, bits: u64) -> Int {
+        (self.to_big() << bits).into()
+    }
+
+    /// `⌊self / 2^bits⌋`.
+    #[must_use]
+    pub fn shr(&self, bits: u64) -> Int {
+        (self.to_big() >> bits).into()
+    }
+
+    /// Whether the representation is canonical.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        match &self.0 {
+            Small(_) => true,
+            Big(value) => value.to_i64().is_none(),
+        }
+    }
+}
+
+impl Default for Int {
+    fn default() -> Int {
+        Int::ZERO
+    }
+}
+
+impl From<i64> for Int {
+    fn from(value: i64) -> Int {
+        Int(Small(value))
+    }
+}
+
+impl From<i32> for Int {
+    fn from(value: i32) -> Int {
+        Int(Small(value.into()))
+    }
+}
+
+impl From<u32> for Int {
+    fn from(value: u32) -> Int {
+        Int(Small(value.into()))
+    }
+}
+
+impl From<i128> for Int {
+    fn from(value: i128) -> Int {
+        match i64::try_from(value) {
+            Ok(small) => Int(Small(small)),
+            Err(_) => Int(Big(Box::new(value.into()))),
+        }
+    }
+}
+
+impl From<u64> for Int {
+    fn from(value: u64) -> Int {
+        i128::from(value).into()
+    }
+}
+
+impl From<BigInt> for Int {
+    fn from(value: BigInt) -> Int {
+        match value.to_i64() {
+            Some(small) => Int(Small(small)),
+            None => Int(Big(Box::new(value))),
+        }
+    }
+}
+
+impl fmt::Display for Int {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Small(value) => value.fmt(f),
+            Big(value) => value.fmt(f),
+        }
+    }
+}
+
+impl fmt::Debug for Int {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl FromStr for Int {
+    type Err = num_bigint::ParseBigIntError;
+
+    fn from_str(text: &str) -> Result<Int, Self::Err> {
+        text.parse::<BigInt>().map(Int::from)
+    }
+}
+
+impl Ord for Int {
+    fn cmp(&self, other: &Int) -> Ordering {
+        match (&self.0, &other.0) {
+            (Small(a), Small(b)) => a.cmp(b),
+            (Big(a), Big(b)) => a.cmp(b),
+            (Small(_), Big(b)) => {
+                if b.is_negative() {
+                    Ordering::Greater
+                } else {
+                    Ordering::Less
+                }
+            }
+            (Big(a), Small(_)) => {
+                if a.is_negative() {
+                    Ordering::Less
+                } else {
+                    Ordering::Greater
+                }
+            }
+        }
+    }
+}
+
+impl PartialOrd for Int {
+    fn partial_cmp(&self, other: &Int) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Neg for Int {
+    type Output = Int;
+
+    fn neg(self) -> Int {
+        -&self
+    }
+}
+
+impl Neg for &Int {
+    type Output = Int;
+
+    fn neg(self) -> Int {
+        match &self.0 {
+            Small(value) => match value.checked_neg() {
+                Some(negated) => Int(Small(negated)),
+                None => (-i128::from(*value)).into(),
+            },
+            Big(value) => (-(**value).clone()).into(),
+        }
+    }
+}
+
+/// Implements a binary operator for all four combinations of values and references, and its assignment form.
+macro_rules! operator {
+    ($Op:ident, $op:ident, $OpAssign:ident, $op_assign:ident, |$a:ident, $b:ident| $small:expr, $symbol:tt) => {
+        impl $Op<&Int> for &Int {
+            type Output = Int;
+
+            #[inline]
+            fn $op(self, other: &Int) -> Int {
+                match (&self.0, &other.0) {
+                    (Small(a), Small(b)) => {
+                        let ($a, $b) = (*a, *b);
+                        $small
+                    }
+                    (Big(a), Big(b)) => (&**a $symbol &**b).into(),
+                    (Big(a), Small(b)) => (&**a $symbol *b).into(),
+                    (Small(a), Big(b)) => (*a $symbol &**b).into(),
+                }
+            }
+        }
+
+        impl $Op<Int> for Int {
+            type Output = Int;
+
+            #[inline]
+            fn $op(self, other: Int) -> Int {
+                $Op::$op(&self, &other)
+            }
+        }
+
+        impl $Op<&Int> for Int {
+            type Output = Int;
+
+            #[inline]
+            fn $op(self, other: &Int) -> Int {
+                $Op::$op(&self, other)
+            }
+        }
+
+        impl $Op<Int> for &Int {
+            type Output = Int;
+
+            #[inline]
+            fn $op(self, other: Int) -> Int {
+                $Op::$op(self, &other)
+            }
+        }
+
+        impl $OpAssign<&Int> for Int {
+            #[inline]
+            fn $op_assign(&mut self, other: &Int) {
+                *self = $Op::$op(&*self, other);
+            }
+        }
+
+        impl $OpAssign<Int> for Int {
+            #[inline]
+            fn $op_assign(&mut self, other: Int) {
+                *self = $Op::$op(&*self, &other);
+            }
+        }
+    };
+}
+
+operator!(Add, add, AddAssign, add_assign, |a, b| (i128::from(a) + i128::from(b)).into(), +);
+operator!(Sub, sub, SubAssign, sub_assign, |a, b| (i128::from(a) - i128::from(b)).into(), -);
+operator!(Mul, mul, MulAssign, mul_assign, |a, b| (i128::from(a) * i128::from(b)).into(), *);
+// The quotient of `i64::MIN` by −1 does not fit a word, hence the wider type.
+operator!(Div, div, DivAssign, div_assign, |a, b| (i128::from(a) / i128::from(b)).into(), /);
+operator!(Rem, rem, RemAssign, rem_assign, |a, b| (i128::from(a) % i128::from(b)).into(), %);
+
+impl Zero for Int {
+    fn zero() -> Int {
+        Int::ZERO
+    }
+
+    fn is_zero(&self) -> bool {
+        matches!(self.0, Small(0))
+    }
+}
+
+impl One for Int {
+    fn one() -> Int {
+        Int::ONE
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(self.0, Small(1))
+    }
+}
+
+impl Num for Int {
+    type FromStrRadixErr = num_bigint::ParseBigIntError;
+
+    fn from_str_radix(text: &str, radix: u32) -> Result<Int, Self::FromStrRadixErr> {
+        BigInt::from_str_radix(text, radix).map(Int::from)
+    }
+}
+
+impl Signed for Int {
+    fn abs(&self) -> Int {
+        if self.is_negative() { -self } else { self.clone() }
+    }
+
+    fn abs_sub(&self, other: &Int) -> Int {
+        if self <= other { Int::ZERO } else { self - other }
+    }
+
+    fn signum(&self) -> Int {
+        match &self.0 {
+            Small(value) => Int(Small(value.signum())),
+            Big(value) => value.signum().into(),
+        }
+    }
+
+    fn is_positive(&self) -> bool {
+        match &self.0 {
+            Small(value) => *value > 0,
+            Big(value) => value.is_positive(),
+        }
+    }
+
+    fn is_negative(&self) -> bool {
+        match &self.0 {
+            Small(value) => *value < 0,
+            Big(value) => value.is_negative(),
+        }
+    }
+}
+
+impl Integer for Int {
+    fn div_floor(&self, other: &Int) -> Int {
+        self.div_mod_floor(other).0
+    }
+
+    fn mod_floor(&self, other: &Int) -> Int {
+        self.div_mod_floor(other).1
+    }
+
+    fn gcd(&self, other: &Int) -> Int {
+        match (&self.0, &other.0) {
+            (Small(a), Small(b)) => i128::from(a.unsigned_abs().gcd(&b.unsigned_abs())).into(),
+            // One step of Euclid brings the larger one down to a word.
+            (Big(a), Small(b)) if *b != 0 => {
+                Int(Small((&**a % *b).to_i64().unwrap_or(0))).gcd(&Int(Small(*b)))
+            }
+            (Small(a), Big(_)) if *a != 0 => other.gcd(self),
+            _ => self.to_big().gcd(&other.to_big()).into(),
+        }
+    }
+
+    fn lcm(&self, other: &Int) -> Int {
+        if self.is_zero() || other.is_zero() {
+            return Int::ZERO;
+        }
+        (self / &self.gcd(other) * other).abs()
+    }
+
+    fn divides(&self, other: &Int) -> bool {
+        self.is_multiple_of(other)
+    }
+
+    fn is_multiple_of(&self, other: &Int) -> bool {
+        if other.is_zero() { self.is_zero() } else { (self % other).is_zero() }
+    }
+
+    fn is_even(&self) -> bool {
+        match &self.0 {
+            Small(value) => value % 2 == 0,
+            Big(value) => value.is_even(),
+        }
+    }
+
+    fn is_odd(&self) -> bool {
+        !self.is_even()
+    }
+
+    fn div_rem(&self, other: &Int) -> (Int, Int) {
+        match (&self.0, &other.0) {
+            (Small(_), Small(_)) => (self / other, self % other),
+            _ => {
+                let (quotient, remainder) = self.to_big().div_rem(&other.to_big());
+                (quotient.into(), remainder.into())
+            }
+        }
+    }
+
+    fn div_mod_floor(&self, other: &Int) -> (Int, Int) {
+        let (quotient, remainder) = self.div_rem(other);
+        if !remainder.is_zero() && remainder.is_negative() != other.is_negative() {
+            (quotient - Int::ONE, remainder + other)
+        } else {
+            (quotient, remainder)
+        }
+    }
+}

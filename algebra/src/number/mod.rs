@@ -1,0 +1,7 @@
+//! Exact numbers.
+
+pub(crate) mod algebraic;
+pub(crate) mod enclosure;
+pub(crate) mod field;
+pub(crate) mod int;
+pub(crate) mod rational;

@@ -1,0 +1,197 @@
+//! Sums, differences, products and powers of polynomials.
+
+use std::iter::{Product, Sum};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::{Poly, terms};
+use crate::{Int, Rational, budget, rational_gcd};
+
+impl Poly {
+    /// `self · factor`.
+    #[must_use]
+    pub fn scale(&self, factor: &Rational) -> Poly {
+        if factor.is_zero() {
+            return Poly::zero();
+        }
+        Poly { content: &self.content * factor, ..self.clone() }
+    }
+
+    /// `self` to the power `exponent`; the power 0 is 1.
+    ///
+    /// Repeated multiplication, since the powers of sparse polynomials are dense and squaring would cost more
+    /// (Fateman, *On the computation of powers of sparse polynomials*, 1974).
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Poly {
+        if exponent == 0 {
+            return Poly::one();
+        }
+        if let [term] = self.terms.as_slice() {
+            if self.ring.generator_part(term.monomial) == super::Monomial::ONE {
+                let exponents: Vec<u32> =
+                    self.ring.exponents(term.monomial).iter().map(|e| e.saturating_mul(exponent)).collect();
+                let terms = vec![super::Term {
+                    monomial: self.ring.monomial(&exponents, &[]),
+                    coefficient: Int::ONE,
+                }];
+                let content =
+                    Rational::new_raw(self.content.numer().pow(exponent), self.content.denom().pow(exponent));
+                return Poly { ring: self.ring.clone(), content, terms };
+            }
+        }
+        // Refuse at once what no budget can pay for, before memory is filled.
+        budget::spend(u64::from(exponent));
+        let mut power = self.clone();
+        for _ in 1..exponent {
+            power = &power * self;
+        }
+        power
+    }
+
+    fn combine(&self, other: &Poly, sign: i64) -> Poly {
+        if other.is_zero() {
+            return self.clone();
+        }
+        if self.is_zero() {
+            return other.scale(&crate::integer(sign));
+        }
+        let (a, b) = Poly::unify(self, other);
+        let content = rational_gcd(&a.content, &b.content);
+        let (p, q) = if content == a.content && content == b.content {
+            (Int::ONE, Int::from(sign))
+        } else {
+            // Both quotients are integers.
+            let p = (&a.content / &content).to_integer();
+            let q = (&b.content / &content).to_integer() * Int::from(sign);
+            (p, q)
+        };
+        let sum = terms::linear_combination(&p, &a.terms, &q, &b.terms);
+        Poly::from_sorted(a.ring, content, sum)
+    }
+
+    fn times(&self, other: &Poly) -> Poly {
+        if self.is_zero() || other.is_zero() {
+            return Poly::zero();
+        }
+        if let Some(factor) = self.to_rational() {
+            return other.scale(&factor);
+        }
+        if let Some(factor) = other.to_rational() {
+            return self.scale(&factor);
+        }
+        let (a, b) = Poly::unify(self, other);
+        let product = terms::product(&a.ring, &a.terms, &b.terms);
+        Poly::from_sorted(a.ring.clone(), &a.content * &b.content, product)
+    }
+}
+
+/// Implements a binary operator for all four combinations of values and references, and its assignment form.
+macro_rules! operator {
+    ($Op:ident, $op:ident, $OpAssign:ident, $op_assign:ident, |$a:ident, $b:ident| $result:expr) => {
+        impl $Op<&Poly> for &Poly {
+            type Output = Poly;
+
+            fn $op(self, other: &Poly) -> Poly {
+                let ($a, $b) = (self, other);
+                $result
+            }
+        }
+
+        impl $Op<Poly> for Poly {
+            type Output = Poly;
+
+            fn $op(self, other: Poly) -> Poly {
+                $Op::$op(&self, &other)
+            }
+        }
+
+        impl $Op<&Poly> for Poly {
+            type Output = Poly;
+
+            fn $op(self, other: &Poly) -> Poly {
+                $Op::$op(&self, other)
+            }
+        }
+
+        impl $Op<Poly> for &Poly {
+            type Output = Poly;
+
+            fn $op(self, other: Poly) -> Poly {
+                $Op::$op(self, &other)
+            }
+        }
+
+        impl $OpAssign<&Poly> for Poly {
+            fn $op_assign(&mut self, other: &Poly) {
+                *self = $Op::$op(&*self, other);
+            }
+        }
+
+        impl $OpAssign<Poly> for Poly {
+            fn $op_assign(&mut self, other: Poly) {
+                *self = $Op::$op(&*self, &other);
+            }
+        }
+    };
+}
+
+operator!(Add, add, AddAssign, add_assign, |a, b| a.combine(b, 1));
+operator!(Sub, sub, SubAssign, sub_assign, |a, b| a.combine(b, -1));
+operator!(Mul, mul, MulAssign, mul_assign, |a, b| a.times(b));
+
+impl Neg for &Poly {
+    type Output = Poly;
+
+    fn neg(self) -> Poly {
+        Poly { content: -&self.content, ..self.clone() }
+    }
+}
+
+impl Neg for Poly {
+    type Output = Poly;
+
+    fn neg(self) -> Poly {
+        -&self
+    }
+}
+
+impl Zero for Poly {
+    fn zero() -> Poly {
+        Poly::zero()
+    }
+
+    fn is_zero(&self) -> bool {
+        Poly::is_zero(self)
+    }
+}
+
+impl One for Poly {
+    fn one() -> Poly {
+        Poly::one()
+    }
+}
+
+impl Sum for Poly {
+    fn sum<I: Iterator<Item = Poly>>(items: I) -> Poly {
+        items.fold(Poly::zero(), |sum, item| sum + item)
+    }
+}
+
+impl Product for Poly {
+    fn product<I: Iterator<Item = Poly>>(items: I) -> Poly {
+        items.fold(Poly::one(), |product, item| product * item)
+    }
+}
+
+impl From<Rational> for Poly {
+    fn from(value: Rational) -> Poly {
+        Poly::constant(value)
+    }
+}
+
+impl From<i64> for Poly {
+    fn from(value: i64) -> Poly {
+        Poly::integer(value)
+    }
+}

@@ -1,0 +1,242 @@
+//! Sums and products of sorted lists of terms with integer coefficients, and the rules of the number field.
+
+use num_traits::Zero;
+
+use super::Term;
+use super::ring::{Monomial, Ring};
+use crate::{Int, budget};
+
+/// `a·x + b·y` for sorted lists `x` and `y`.
+pub(crate) fn linear_combination(a: &Int, x: &[Term], b: &Int, y: &[Term]) -> Vec<Term> {
+    budget::spend((x.len() + y.len()) as u64);
+    let mut sum = Vec::with_capacity(x.len() + y.len());
+    let (mut i, mut j) = (0, 0);
+    while i < x.len() || j < y.len() {
+        let from_x = j == y.len() || (i < x.len() && x[i].monomial >= y[j].monomial);
+        let from_y = i == x.len() || (j < y.len() && y[j].monomial >= x[i].monomial);
+        let (monomial, coefficient) = match (from_x, from_y) {
+            (true, true) => (x[i].monomial, a * &x[i].coefficient + b * &y[j].coefficient),
+            (true, false) => (x[i].monomial, a * &x[i].coefficient),
+            _ => (y[j].monomial, b * &y[j].coefficient),
+        };
+        i += usize::from(from_x);
+        j += usize::from(from_y);
+        if !coefficient.is_zero() {
+            sum.push(Term { monomial, coefficient });
+        }
+    }
+    sum
+}
+
+/// The product of sorted lists of terms, with the rules of the field applied.
+///
+/// Dense products (where the exponents of the result fill their box well) accumulate in an array indexed by packed
+/// exponents; sparse ones are collected and sorted. Both use machine words as long as the coefficients provably fit.
+pub(crate) fn product(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
+    let (x, y) = if x.len() <= y.len() { (x, y) } else { (y, x) };
+    if x.is_empty() {
+        return Vec::new();
+    }
+    let widths = max_bits(x) + max_bits(y) + u64::from(usize::BITS - x.len().leading_zeros());
+    let words = 1 + widths / 64;
+    budget::spend((x.len() as u64).saturating_mul(y.len() as u64).saturating_mul(words));
+    let unreduced = if widths < 126 { multiply::<i128>(ring, x, y) } else { multiply::<Int>(ring, x, y) };
+    reduce(ring, unreduced)
+}
+
+/// A coefficient under accumulation: a machine integer where everything fits, else an [`Int`].
+trait Accumulator: Clone + Default {
+    fn of(coefficient: &Int) -> Self;
+    fn add_product(&mut self, a: &Self, b: &Self);
+    fn is_nothing(&self) -> bool;
+    fn finish(self) -> Int;
+}
+
+impl Accumulator for i128 {
+    #[inline]
+    fn of(coefficient: &Int) -> i128 {
+        match coefficient.small() {
+            Some(small) => small.into(),
+            // Only called below 126 bits.
+            None => i128::try_from(coefficient.to_big()).unwrap_or_default(),
+        }
+    }
+
+    #[inline]
+    fn add_product(&mut self, a: &i128, b: &i128) {
+        *self += a * b;
+    }
+
+    #[inline]
+    fn is_nothing(&self) -> bool {
+        *self == 0
+    }
+
+    #[inline]
+    fn finish(self) -> Int {
+        self.into()
+    }
+}
+
+impl Accumulator for Int {
+    fn of(coefficient: &Int) -> Int {
+        coefficient.clone()
+    }
+
+    fn add_product(&mut self, a: &Int, b: &Int) {
+        *self += a * b;
+    }
+
+    fn is_nothing(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn finish(self) -> Int {
+        self
+    }
+}
+
+/// A dense box may have this many cells for every product of two terms.
+const CELLS_PER_PRODUCT: usize = 2;
+/// A dense box has at most this many cells.
+const MOST_CELLS: usize = 1 << 22;
+
+fn multiply<A: Accumulator>(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
+    let coefficients = |terms: &[Term]| terms.iter().map(|term| A::of(&term.coefficient)).collect::<Vec<A>>();
+    let (a, b) = (coefficients(x), coefficients(y));
+    if let Some(layout) = DenseBox::new(ring, x, y) {
+        let (places_x, places_y) = (layout.places(x), layout.places(y));
+        let mut cells = vec![A::default(); layout.size];
+        for (place, a) in places_x.iter().zip(&a) {
+            for (offset, b) in places_y.iter().zip(&b) {
+                cells[place + offset].add_product(a, b);
+            }
+        }
+        let nonzero = cells.into_iter().enumerate().rev().filter(|(_, cell)| !cell.is_nothing());
+        return nonzero
+            .map(|(place, cell)| Term { monomial: layout.monomial(place), coefficient: cell.finish() })
+            .collect();
+    }
+    let mut products = Vec::with_capacity(x.len() * y.len());
+    for (i, p) in x.iter().enumerate() {
+        for (j, q) in y.iter().enumerate() {
+            products.push((p.monomial.0 + q.monomial.0, i as u32, j as u32));
+        }
+    }
+    products.sort_unstable_by(|p, q| q.cmp(p));
+    let mut terms: Vec<Term> = Vec::new();
+    let mut union = 0;
+    let mut run = products.into_iter().peekable();
+    while let Some((word, i, j)) = run.next() {
+        let mut sum = A::default();
+        sum.add_product(&a[i as usize], &b[j as usize]);
+        while let Some((_, i, j)) = run.next_if(|next| next.0 == word) {
+            sum.add_product(&a[i as usize], &b[j as usize]);
+        }
+        if !sum.is_nothing() {
+            union |= word;
+            terms.push(Term { monomial: Monomial(word), coefficient: sum.finish() });
+        }
+    }
+    ring.check_exponents(union);
+    terms
+}
+
+/// The box of all exponents up to the degrees of a product, as an array in the order of monomials.
+struct DenseBox {
+    /// Shift and mask in the packed word, and the stride in the array, for each variable and generator that occurs.
+    fields: Vec<(u32, u128, usize)>,
+    size: usize,
+}
+
+impl DenseBox {
+    fn new(ring: &Ring, x: &[Term], y: &[Term]) -> Option<DenseBox> {
+        let limit = (x.len().saturating_mul(y.len())).saturating_mul(CELLS_PER_PRODUCT).min(MOST_CELLS);
+        let degree = |terms: &[Term], shift: u32, mask: u128| {
+            terms.iter().map(|term| term.monomial.0 >> shift & mask).max().unwrap_or(0)
+        };
+        let mut fields = Vec::new();
+        let mut size = 1_usize;
+        for (shift, mask) in ring.fields().into_iter().rev() {
+            let extent = degree(x, shift, mask) + degree(y, shift, mask);
+            if extent == 0 {
+                continue;
+            }
+            if extent > mask / 2 && mask > 3 {
+                // An exponent beyond the range: the sparse way reports it.
+                return None;
+            }
+            fields.push((shift, mask, size));
+            size = size.checked_mul(usize::try_from(extent).ok()? + 1).filter(|&size| size <= limit)?;
+        }
+        fields.reverse();
+        Some(DenseBox { fields, size })
+    }
+
+    fn places(&self, terms: &[Term]) -> Vec<usize> {
+        let place = |word: u128| {
+            self.fields.iter().map(|&(shift, mask, stride)| (word >> shift & mask) as usize * stride).sum()
+        };
+        terms.iter().map(|term| place(term.monomial.0)).collect()
+    }
+
+    fn monomial(&self, mut place: usize) -> Monomial {
+        let mut word = 0;
+        for &(shift, _, stride) in &self.fields {
+            word |= ((place / stride) as u128) << shift;
+            place %= stride;
+        }
+        Monomial(word)
+    }
+}
+
+fn max_bits(terms: &[Term]) -> u64 {
+    terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0)
+}
+
+/// Applies the rules `g² = r` of the number field until no exponent of a generator exceeds 1.
+pub(crate) fn reduce(ring: &Ring, mut terms: Vec<Term>) -> Vec<Term> {
+    // From the last generator down: its radicand is free of itself and of later ones.
+    for position in (0..ring.field().generators().len()).rev() {
+        let word = ring.generator_word(position);
+        // An exponent may be 3 after the rule of a later generator, so once more may be needed.
+        while terms.iter().any(|term| ring.generator_exponent(term.monomial, position) > 1) {
+            let mut expanded = Vec::with_capacity(2 * terms.len());
+            for term in terms {
+                if ring.generator_exponent(term.monomial, position) < 2 {
+                    expanded.push(term);
+                    continue;
+                }
+                let rest = term.monomial.0 - 2 * word;
+                for (monomial, coefficient) in ring.rule(position) {
+                    let coefficient = &term.coefficient * coefficient;
+                    expanded.push(Term { monomial: Monomial(rest + monomial.0), coefficient });
+                }
+            }
+            terms = collect(expanded);
+        }
+    }
+    terms
+}
+
+/// Sorts terms and adds those of equal monomials.
+pub(crate) fn collect(mut terms: Vec<Term>) -> Vec<Term> {
+    budget::spend(terms.len() as u64);
+    terms.sort_by(|a, b| b.monomial.cmp(&a.monomial));
+    let mut sum: Vec<Term> = Vec::with_capacity(terms.len());
+    for term in terms {
+        match sum.last_mut() {
+            Some(last) if last.monomial == term.monomial => last.coefficient += term.coefficient,
+            _ => {
+                if sum.last().is_some_and(|last| last.coefficient.is_zero()) {
+                    sum.pop();
+                }
+                sum.push(term);
+            }
+        }
+    }
+    if sum.last().is_some_and(|last| last.coefficient.is_zero()) {
+        sum.pop();
+    }
+    sum
+}

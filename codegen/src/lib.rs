@@ -1,0 +1,3 @@
+//! Language and code generation.
+
+pub mod program;

@@ -1,0 +1,453 @@
+//! Staged straight-line programs: what an evaluator computes, one operation after another.
+//!
+//! A [`Program`] is a list of values, each a constant, an input, or an operation on earlier values. Equal operations are
+//! one value. Every value has a [`Stage`]: the parameters it waits for, so that an evaluator on a grid computes what
+//! depends on one parameter once for a whole row or column. Named results are the program's [outputs](Program::outputs).
+//!
+//! Constants have any type `C`: exact numbers while a program is made and proved, `f64` when it is emitted
+//! ([`Program::map_constants`] leads from one to the other). [`interpret`](interpret()) runs a program over any
+//! arithmetic.
+
+mod count;
+mod interpret;
+mod text;
+mod verify;
+
+use std::collections::BTreeMap;
+
+pub use count::OperationCounts;
+pub use interpret::{Arithmetic, Floats, Undefined, interpret};
+pub use verify::{Fault, verify};
+
+/// A value of a [`Program`], by its place in the program.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Value(u32);
+
+impl Value {
+    /// The place of the value in [`Program::operations`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A parameter of the surface.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Input {
+    /// The first parameter, u.
+    U,
+    /// The second parameter, v.
+    V,
+}
+
+/// What a value waits for: the least stage is known first.
+///
+/// A value that depends on u alone and one that depends on v alone meet in [`Stage::Both`]; every other pair of stages
+/// meets in the later one.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Stage {
+    /// Known when the program is made.
+    Constant,
+    /// Depends on v alone: once for each row of a grid.
+    V,
+    /// Depends on u alone: once for each column of a grid.
+    U,
+    /// Depends on u and v: once for each point.
+    Both,
+}
+
+impl Stage {
+    /// The earliest stage at which values of both stages are known.
+    #[must_use]
+    pub fn join(self, other: Stage) -> Stage {
+        match (self, other) {
+            (Stage::U, Stage::V) | (Stage::V, Stage::U) => Stage::Both,
+            _ => self.max(other),
+        }
+    }
+}
+
+/// How a value of a [`Program`] comes about.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Operation<C> {
+    /// A constant.
+    Constant(C),
+    /// A parameter.
+    Input(Input),
+    /// a + b
+    Add(Value, Value),
+    /// a − b
+    Subtract(Value, Value),
+    /// a · b
+    Multiply(Value, Value),
+    /// a / b
+    Divide(Value, Value),
+    /// −a
+    Negate(Value),
+    /// √a
+    SquareRoot(Value),
+}
+
+impl<C> Operation<C> {
+    /// The values that it is computed from, in order.
+    #[must_use]
+    pub fn operands(&self) -> Vec<Value> {
+        match *self {
+            Operation::Constant(_) | Operation::Input(_) => Vec::new(),
+            Operation::Negate(a) | Operation::SquareRoot(a) => vec![a],
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b) => vec![a, b],
+        }
+    }
+}
+
+/// What a [`Program`] asks of its constants.
+pub trait Constant: Clone + PartialEq {
+    /// Whether it is 0.
+    fn is_zero(&self) -> bool;
+    /// Whether it is 1.
+    fn is_one(&self) -> bool;
+}
+
+impl Constant for f64 {
+    fn is_zero(&self) -> bool {
+        *self == 0.0
+    }
+
+    fn is_one(&self) -> bool {
+        *self == 1.0
+    }
+}
+
+/// The coefficients of a polynomial that a program evaluates by Horner's scheme.
+///
+/// The evaluation itself is made of ordinary operations; the table gives its coefficients a name, so that emitted code
+/// can show them together.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Table {
+    /// The value of the polynomial.
+    pub value: Value,
+    /// The name of the polynomial.
+    pub name: String,
+    /// The polynomial as a mathematician writes it.
+    pub formula: String,
+    /// The coefficients of 1, x, x², … as values of stage [`Stage::Constant`].
+    pub coefficients: Vec<Value>,
+}
+
+/// Named results of a program, such as the three coordinates of a point.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Output {
+    /// The name of the group.
+    pub name: String,
+    /// The results, in order.
+    pub values: Vec<Value>,
+}
+
+/// A straight-line program with constants of type `C`.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::program::{Floats, Input, Program, Stage, interpret};
+/// let mut program = Program::new();
+/// let (u, v) = (program.input(Input::U), program.input(Input::V));
+/// let square = program.multiply(u, u);
+/// let sum = program.add(square, v);
+/// program.output("sum", vec![sum]);
+/// assert_eq!(program.stage(square), Stage::U);
+/// assert_eq!(program.stage(sum), Stage::Both);
+/// let values = interpret(&program, &[sum], &Floats { u: 3.0, v: 0.5 }).unwrap();
+/// assert_eq!(values, [9.5]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Program<C> {
+    operations: Vec<Operation<C>>,
+    stages: Vec<Stage>,
+    names: BTreeMap<Value, String>,
+    tables: Vec<Table>,
+    outputs: Vec<Output>,
+    /// Operations without constants, by a key that tells them apart.
+    known: BTreeMap<(u8, u32, u32), Value>,
+}
+
+impl<C: Constant> Default for Program<C> {
+    fn default() -> Self {
+        Program::new()
+    }
+}
+
+impl<C: Constant> Program<C> {
+    /// The program without values.
+    #[must_use]
+    pub fn new() -> Program<C> {
+        Program {
+            operations: Vec::new(),
+            stages: Vec::new(),
+            names: BTreeMap::new(),
+            tables: Vec::new(),
+            outputs: Vec::new(),
+            known: BTreeMap::new(),
+        }
+    }
+
+    /// The constant `constant`.
+    pub fn constant(&mut self, constant: C) -> Value {
+        let operation = Operation::Constant(constant);
+        match self.operations.iter().position(|known| *known == operation) {
+            Some(place) => Value(place as u32),
+            None => self.push(operation),
+        }
+    }
+
+    /// A parameter.
+    pub fn input(&mut self, input: Input) -> Value {
+        self.unique((0, input as u32, 0), Operation::Input(input))
+    }
+
+    /// a + b, where adding 0 is no operation.
+    pub fn add(&mut self, a: Value, b: Value) -> Value {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        self.unique((1, a.0, b.0), Operation::Add(a, b))
+    }
+
+    /// a − b, where subtracting 0 is no operation.
+    pub fn subtract(&mut self, a: Value, b: Value) -> Value {
+        if self.is_zero(b) {
+            return a;
+        }
+        if self.is_zero(a) {
+            return self.negate(b);
+        }
+        self.unique((2, a.0, b.0), Operation::Subtract(a, b))
+    }
+
+    /// a · b, where multiplying by 1 or 0 is no operation.
+    pub fn multiply(&mut self, a: Value, b: Value) -> Value {
+        if self.is_one(a) || self.is_zero(b) {
+            return b;
+        }
+        if self.is_one(b) || self.is_zero(a) {
+            return a;
+        }
+        self.unique((3, a.0, b.0), Operation::Multiply(a, b))
+    }
+
+    /// a / b, where dividing by 1 is no operation.
+    pub fn divide(&mut self, a: Value, b: Value) -> Value {
+        if self.is_one(b) {
+            return a;
+        }
+        self.unique((4, a.0, b.0), Operation::Divide(a, b))
+    }
+
+    /// −a
+    pub fn negate(&mut self, a: Value) -> Value {
+        match self.operations[a.index()] {
+            Operation::Negate(b) => b,
+            _ if self.is_zero(a) => a,
+            _ => self.unique((5, a.0, 0), Operation::Negate(a)),
+        }
+    }
+
+    /// √a
+    pub fn square_root(&mut self, a: Value) -> Value {
+        self.unique((6, a.0, 0), Operation::SquareRoot(a))
+    }
+
+    /// Gives `value` a name, if it has none and no other value has this one; names make text and code readable.
+    pub fn name(&mut self, value: Value, name: &str) {
+        let taken = self.names.contains_key(&value) || self.names.values().any(|known| known == name);
+        if !taken && self.stage(value) != Stage::Constant {
+            self.names.insert(value, name.to_string());
+        }
+    }
+
+    /// Records the coefficients of a polynomial that the program evaluates.
+    pub fn table(&mut self, table: Table) {
+        if self.tables.iter().all(|known| known.value != table.value) {
+            self.tables.push(table);
+        }
+    }
+
+    /// Adds a group of results.
+    pub fn output(&mut self, name: &str, values: Vec<Value>) {
+        self.outputs.push(Output { name: name.to_string(), values });
+    }
+
+    /// The operations of all values, each after its operands.
+    #[must_use]
+    pub fn operations(&self) -> &[Operation<C>] {
+        &self.operations
+    }
+
+    /// The operation of a value.
+    #[must_use]
+    pub fn operation(&self, value: Value) -> &Operation<C> {
+        &self.operations[value.index()]
+    }
+
+    /// The stage of a value.
+    #[must_use]
+    pub fn stage(&self, value: Value) -> Stage {
+        self.stages[value.index()]
+    }
+
+    /// The name of a value, if it has one.
+    #[must_use]
+    pub fn name_of(&self, value: Value) -> Option<&str> {
+        self.names.get(&value).map(String::as_str)
+    }
+
+    /// The coefficients of the polynomials that it evaluates.
+    #[must_use]
+    pub fn tables(&self) -> &[Table] {
+        &self.tables
+    }
+
+    /// The groups of results, in the order in which they were added.
+    #[must_use]
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// The results of the group `name`; none if there is no such group.
+    #[must_use]
+    pub fn results(&self, name: &str) -> &[Value] {
+        self.outputs.iter().find(|output| output.name == name).map_or(&[], |output| &output.values)
+    }
+
+    /// All values.
+    pub fn values(&self) -> impl Iterator<Item = Value> + use<C> {
+        (0..self.operations.len() as u32).map(Value)
+    }
+
+    /// The values that `results` are computed from, these included, in the order of computation.
+    #[must_use]
+    pub fn needed(&self, results: &[Value]) -> Vec<Value> {
+        let mut wanted = vec![false; self.operations.len()];
+        for result in results {
+            wanted[result.index()] = true;
+        }
+        for value in self.values().collect::<Vec<_>>().into_iter().rev() {
+            if wanted[value.index()] {
+                for operand in self.operation(value).operands() {
+                    wanted[operand.index()] = true;
+                }
+            }
+        }
+        self.values().filter(|value| wanted[value.index()]).collect()
+    }
+
+    /// The same program with constants of another type.
+    ///
+    /// # Errors
+    /// The first error of `map`.
+    pub fn map_constants<D, E>(&self, mut map: impl FnMut(&C) -> Result<D, E>) -> Result<Program<D>, E> {
+        let operation = |operation: &Operation<C>| {
+            Ok(match *operation {
+                Operation::Constant(ref constant) => Operation::Constant(map(constant)?),
+                Operation::Input(input) => Operation::Input(input),
+                Operation::Add(a, b) => Operation::Add(a, b),
+                Operation::Subtract(a, b) => Operation::Subtract(a, b),
+                Operation::Multiply(a, b) => Operation::Multiply(a, b),
+                Operation::Divide(a, b) => Operation::Divide(a, b),
+                Operation::Negate(a) => Operation::Negate(a),
+                Operation::SquareRoot(a) => Operation::SquareRoot(a),
+            })
+        };
+        Ok(Program {
+            operations: self.operations.iter().map(operation).collect::<Result<_, E>>()?,
+            stages: self.stages.clone(),
+            names: self.names.clone(),
+            tables: self.tables.clone(),
+            outputs: self.outputs.clone(),
+            known: self.known.clone(),
+        })
+    }
+
+    fn is_zero(&self, value: Value) -> bool {
+        matches!(self.operation(value), Operation::Constant(constant) if constant.is_zero())
+    }
+
+    fn is_one(&self, value: Value) -> bool {
+        matches!(self.operation(value), Operation::Constant(constant) if constant.is_one())
+    }
+
+    fn unique(&mut self, key: (u8, u32, u32), operation: Operation<C>) -> Value {
+        if let Some(&value) = self.known.get(&key) {
+            return value;
+        }
+        let value = self.push(operation);
+        self.known.insert(key, value);
+        value
+    }
+
+    fn push(&mut self, operation: Operation<C>) -> Value {
+        let stage = match operation {
+            Operation::Input(Input::U) => Stage::U,
+            Operation::Input(Input::V) => Stage::V,
+            _ => operation.operands().iter().fold(Stage::Constant, |stage, &a| stage.join(self.stage(a))),
+        };
+        let value = Value(self.operations.len() as u32);
+        self.operations.push(operation);
+        self.stages.push(stage);
+        value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_operations_are_one_value() {
+        let mut program = Program::new();
+        let (u, two) = (program.input(Input::U), program.constant(2.0));
+        let twice = program.multiply(two, u);
+        assert_eq!(program.input(Input::U), u);
+        assert_eq!(program.constant(2.0), two);
+        assert_eq!(program.multiply(two, u), twice);
+        assert_ne!(program.add(two, u), twice);
+    }
+
+    #[test]
+    fn neutral_elements_cost_nothing() {
+        let mut program = Program::new();
+        let (u, zero, one) = (program.input(Input::U), program.constant(0.0), program.constant(1.0));
+        assert_eq!(program.add(zero, u), u);
+        assert_eq!(program.add(u, zero), u);
+        assert_eq!(program.subtract(u, zero), u);
+        assert_eq!(program.multiply(one, u), u);
+        assert_eq!(program.multiply(u, zero), zero);
+        assert_eq!(program.divide(u, one), u);
+        let negative = program.subtract(zero, u);
+        assert_eq!(*program.operation(negative), Operation::Negate(u));
+        assert_eq!(program.negate(negative), u);
+    }
+
+    #[test]
+    fn stages_join() {
+        use Stage::{Both, Constant, U, V};
+        for (a, b, joined) in [(Constant, V, V), (V, U, Both), (U, U, U), (Both, V, Both), (Constant, Constant, Constant)]
+        {
+            assert_eq!(a.join(b), joined);
+            assert_eq!(b.join(a), joined);
+        }
+    }
+
+    #[test]
+    fn only_needed_values_are_listed() {
+        let mut program = Program::<f64>::new();
+        let (u, v) = (program.input(Input::U), program.input(Input::V));
+        let square = program.multiply(u, u);
+        program.add(u, v);
+        assert_eq!(program.needed(&[square]), [u, square]);
+    }
+}

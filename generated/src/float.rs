@@ -1,0 +1,33 @@
+//! The floating-point functions that evaluators need beyond the four operations.
+
+/// The correctly rounded square root √x of `x`; NaN for negative `x`, as IEEE 754 has it.
+///
+/// It comes from the standard library with the feature `std`, else from `libm`; both give the same bits.
+///
+/// ```
+/// assert_eq!(hodograph::float::sqrt(2.25), 1.5);
+/// ```
+#[cfg(feature = "std")]
+#[inline]
+#[must_use]
+pub fn sqrt(x: f64) -> f64 {
+    x.sqrt()
+}
+
+/// The correctly rounded square root √x of `x`; NaN for negative `x`, as IEEE 754 has it.
+#[cfg(all(feature = "libm", not(feature = "std")))]
+#[inline]
+#[must_use]
+pub fn sqrt(x: f64) -> f64 {
+    libm::sqrt(x)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn square_roots_are_correctly_rounded() {
+        assert_eq!(super::sqrt(2.0).to_bits(), core::f64::consts::SQRT_2.to_bits());
+        assert_eq!(super::sqrt(0.0), 0.0);
+        assert!(super::sqrt(-1.0).is_nan());
+    }
+}

@@ -1,0 +1,27 @@
+//! Swept surfaces, exactly derived, with evaluators that are generated at build time.
+//!
+//! Each surface of the catalogue is expanded from its formula by `sweep!`: homogeneous coordinates, derivatives,
+//! normals and offsets are derived by exact algebra and become straight-line `f64` code that depends on nothing.
+//! Generic code takes any of them through the trait [`Surface`].
+//!
+//! Without the default feature `std` the library is `no_std`, and its square roots come from `libm` (feature `libm`).
+//! The feature `sources` adds the text of the catalogue's formulas.
+
+#![cfg_attr(not(any(feature = "std", test)), no_std)]
+#![forbid(unsafe_code)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("`hodograph` needs square roots: enable its feature `std` (the default) or `libm`");
+
+// What `sweep!` expands to names `::hodograph`, in this crate too.
+#[allow(unused_extern_crates)]
+extern crate self as hodograph;
+
+pub mod float;
+pub mod grid;
+mod regularity;
+mod surface;
+
+pub use grid::GridError;
+pub use regularity::Regularity;
+pub use surface::{Domain, Surface};
