@@ -1,3 +1,7 @@
 //! Language and code generation.
 
+pub mod language;
 pub mod program;
+pub mod schedule;
+pub mod round;
+pub mod emit;

@@ -22,6 +22,13 @@ pub fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
+/// The square root that neither feature provides.
+#[cfg(not(any(feature = "std", feature = "libm")))]
+#[must_use]
+pub fn sqrt(_: f64) -> f64 {
+    compile_error!("`hodograph` needs square roots: enable its feature `std` (the default) or `libm`")
+}
+
 #[cfg(test)]
 mod tests {
     #[test]

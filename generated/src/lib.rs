@@ -10,9 +10,6 @@
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![forbid(unsafe_code)]
 
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!("`hodograph` needs square roots: enable its feature `std` (the default) or `libm`");
-
 // What `sweep!` expands to names `::hodograph`, in this crate too.
 #[allow(unused_extern_crates)]
 extern crate self as hodograph;

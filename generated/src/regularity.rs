@@ -56,7 +56,7 @@ impl Regularity {
         const SMALLEST: f64 = 1e-280;
         let [x, y, z] = direction;
         let square = x * x + y * y + z * z;
-        if square >= SMALLEST && square <= f64::MAX {
+        if (SMALLEST..=f64::MAX).contains(&square) {
             let norm = sqrt(square);
             return Self::Regular([x / norm, y / norm, z / norm]);
         }
@@ -94,7 +94,8 @@ mod tests {
     #[test]
     fn unit_vectors_keep_their_direction_at_every_size() {
         for size in [1e-310, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e307] {
-            let Regularity::Regular([x, y, z]) = Regularity::unit([2.0 * size, -3.0 * size, 6.0 * size]) else {
+            let Regularity::Regular([x, y, z]) = Regularity::unit([2.0 * size, -3.0 * size, 6.0 * size])
+            else {
                 panic!("{size:e} is not singular");
             };
             // The smallest size is subnormal, with some 13 digits left.

@@ -2,7 +2,9 @@
 
 use num_bigint::{BigInt, Sign};
 
-use super::prime::{PRIME_LIMIT, is_prime, primes};
+use super::prime::primes;
+#[cfg(test)]
+use super::prime::{PRIME_LIMIT, is_prime};
 
 /// An element of a [`PrimeField`]: only the field that made it can read it, since it is kept as x·2⁶⁴ modulo p.
 ///
@@ -35,6 +37,7 @@ pub(crate) struct PrimeField {
 
 impl PrimeField {
     /// The field with `modulus` elements; `None` unless the modulus is an odd prime below 2⁶².
+    #[cfg(test)]
     pub(crate) fn new(modulus: u64) -> Option<Self> {
         (modulus > 2 && modulus < PRIME_LIMIT && is_prime(modulus)).then(|| Self::with_prime(modulus))
     }
@@ -137,7 +140,8 @@ impl PrimeField {
         while low != 0 {
             let quotient = high / low;
             (high, low) = (low, high % low);
-            (high_factor, low_factor) = (low_factor, high_factor.wrapping_sub((quotient as i64).wrapping_mul(low_factor)));
+            (high_factor, low_factor) =
+                (low_factor, high_factor.wrapping_sub((quotient as i64).wrapping_mul(low_factor)));
         }
         // `high` is 1, and |high_factor| < p.
         Some(self.residue(high_factor))

@@ -45,6 +45,18 @@ impl<K: Ord + Clone> Chinese<K> {
         self.modulus *= Int::from(field.modulus());
     }
 
+    /// The product of the primes.
+    pub(crate) fn modulus(&self) -> &Int {
+        &self.modulus
+    }
+
+    /// The integers of least absolute value that have this image.
+    pub(crate) fn symmetric(&self) -> BTreeMap<K, Int> {
+        let half = &self.modulus / Int::from(2);
+        let least = |residue: &Int| if *residue > half { residue - &self.modulus } else { residue.clone() };
+        self.residues.iter().map(|(key, residue)| (key.clone(), least(residue))).collect()
+    }
+
     /// The rational numbers that have this image, if the modulus is large enough to tell.
     ///
     /// Entries are tried with the least common denominator so far, then alone by the maximal quotient (Monagan,
@@ -138,15 +150,17 @@ mod tests {
         }
 
         #[test]
-        fn the_maximal_quotient_is_the_best_fraction(residue in 0_i64..1_000_003) {
-            let (modulus, threshold) = (Int::from(1_000_003), Int::from(40));
-            let found = maximal_quotient(&Int::from(residue), &modulus, &threshold);
-            // Every fraction with |n|·d below modulus/(2·threshold), found by search, must be the answer.
+        fn the_maximal_quotient_is_nearly_the_best_fraction(residue in 0_i64..1_000_003) {
+            let modulus = 1_000_003;
+            let found = maximal_quotient(&Int::from(residue), &Int::from(modulus), &Int::from(40));
+            let size = |value: &Rational| value.numer().abs().max(Int::one()) * value.denom();
             for d in 1..100_i64 {
-                let n = (residue * d + 500_001).rem_euclid(1_000_003) - 500_001;
-                if n.abs().max(1) * d < 1_000_003 / 80 {
-                    prop_assert_eq!(found, Some(Rational::new(Int::from(n), Int::from(d))));
-                    break;
+                let n = (residue * d + modulus / 2).rem_euclid(modulus) - modulus / 2;
+                // By Monagan's theorem, what is three times smaller than the modulus over the threshold must be seen.
+                if n.abs().max(1) * d < modulus / 120 {
+                    let found = found.as_ref().expect("a fraction that is small enough");
+                    prop_assert!(size(found) <= Int::from(3 * n.abs().max(1) * d));
+                    prop_assert!((found.numer() - found.denom() * Int::from(residue)).is_multiple_of(&Int::from(modulus)));
                 }
             }
         }

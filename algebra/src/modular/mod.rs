@@ -7,5 +7,6 @@ pub(crate) mod field;
 pub(crate) mod lift;
 pub(crate) mod multivariate;
 pub(crate) mod prime;
+pub(crate) mod sparse;
 pub(crate) mod splitting;
 pub(crate) mod univariate;

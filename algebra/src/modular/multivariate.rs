@@ -1,8 +1,9 @@
 //! Sparse polynomials in several variables over a prime field, and their greatest common divisor.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::field::{PrimeField, Residue};
+use super::sparse::Skeleton;
 use super::univariate::{Interpolation, Univariate};
 use crate::budget;
 
@@ -112,7 +113,7 @@ impl Multivariate {
     }
 
     /// The polynomial times a nonzero constant.
-    fn scale(&self, field: &PrimeField, factor: Residue) -> Self {
+    pub(crate) fn scale(&self, field: &PrimeField, factor: Residue) -> Self {
         Self { terms: self.terms.iter().map(|&(word, value)| (word, field.mul(value, factor))).collect() }
     }
 
@@ -147,11 +148,61 @@ impl Multivariate {
         Univariate::new(image)
     }
 
+    /// The quotient by a nonzero polynomial, if it divides; `bounds` are the differences of the degrees.
+    ///
+    /// The products of terms are merged by a heap (Johnson, *Sparse polynomial arithmetic*, 1974), which holds at most one
+    /// for each term of the divisor.
+    pub(crate) fn quotient(
+        &self,
+        field: &PrimeField,
+        layout: &Layout,
+        divisor: &Self,
+        bounds: &[u32],
+    ) -> Option<Self> {
+        let (&(leading, first), tail) = divisor.terms.split_first()?;
+        let inverse = field.invert(first)?;
+        let mut quotient: Vec<(u128, Residue)> = Vec::new();
+        // The next product of each term of the tail: (word, position in the tail, position in the quotient).
+        let mut heap: BinaryHeap<(u128, usize, usize)> = BinaryHeap::new();
+        // Terms of the tail whose next partner is not known yet, with its position.
+        let mut waiting: Vec<(usize, usize)> = (0..tail.len()).map(|j| (j, 0)).collect();
+        let mut dividend = self.terms.iter().copied().peekable();
+        loop {
+            let word = dividend.peek().map(|term| term.0).max(heap.peek().map(|product| product.0));
+            let Some(word) = word else { return Some(Self { terms: quotient }) };
+            let mut value = dividend.next_if(|term| term.0 == word).map_or(Residue::ZERO, |term| term.1);
+            while let Some(&(next, j, i)) = heap.peek().filter(|product| product.0 == word) {
+                debug_assert_eq!(next, word);
+                heap.pop();
+                value = field.sub(value, field.mul(tail[j].1, quotient[i].1));
+                match quotient.get(i + 1) {
+                    Some(partner) => heap.push((tail[j].0 + partner.0, j, i + 1)),
+                    None => waiting.push((j, i + 1)),
+                }
+            }
+            if value.is_zero() {
+                continue;
+            }
+            budget::spend(divisor.terms.len() as u64);
+            // Within the bounds no product of a term with one of the divisor leaves the layout.
+            let exponent = |i: usize| layout.exponent(word, i).checked_sub(layout.exponent(leading, i));
+            if !(0..layout.len()).all(|i| exponent(i).is_some_and(|exponent| exponent <= bounds[i])) {
+                return None;
+            }
+            let position = quotient.len();
+            quotient.push((word - leading, field.mul(value, inverse)));
+            for (j, i) in std::mem::take(&mut waiting) {
+                debug_assert_eq!(i, position);
+                heap.push((tail[j].0 + (word - leading), j, position));
+            }
+        }
+    }
+
     /// The greatest common divisor, with leading coefficient 1; zero only of two zeros.
     ///
     /// Brown's evaluation and interpolation (*On Euclid's algorithm and the computation of polynomial greatest common
     /// divisors*, 1971; Geddes, Czapor, Labahn, *Algorithms for Computer Algebra*, Algorithm 7.2), from the last
-    /// variable to the first. `bounds` holds the degree of the result in each variable, or more. The result is right
+    /// variable to the first, with a sparse shortcut (`Skeleton`). `bounds` holds the degree of the result in each variable, or more. The result is right
     /// unless all points that were tried are unlucky in the same way, so the reader certifies it.
     pub(crate) fn gcd(&self, field: &PrimeField, layout: &Layout, other: &Self, bounds: &[u32]) -> Self {
         Divisor { field, layout, bounds, points: Points::new(field) }.gcd(self, other)
@@ -187,7 +238,7 @@ impl Multivariate {
 }
 
 /// The powers 0 … `highest` of `base`.
-fn powers(field: &PrimeField, base: Residue, highest: u32) -> Vec<Residue> {
+pub(crate) fn powers(field: &PrimeField, base: Residue, highest: u32) -> Vec<Residue> {
     let mut powers = vec![field.one()];
     for i in 0..highest as usize {
         powers.push(field.mul(powers[i], base));
@@ -265,7 +316,8 @@ impl Divisor<'_> {
             let cleared = word - (u128::from(exponent) << self.layout.shifts[position]);
             coefficients.entry(exponent).or_default().push((cleared, coefficient));
         }
-        let mut coefficients: Vec<_> = coefficients.into_values().map(|terms| Multivariate { terms }).collect();
+        let mut coefficients: Vec<_> =
+            coefficients.into_values().map(|terms| Multivariate { terms }).collect();
         coefficients.sort_by_key(|coefficient| coefficient.terms.len());
         let mut gcd = a.monic(self.field);
         for coefficient in coefficients {
@@ -289,29 +341,43 @@ impl Divisor<'_> {
         }
         // The result times the gcd of the leading coefficients is a polynomial with images of known leading coefficient.
         let scale = a[0].1.gcd(field, &b[0].1);
-        let degree = |parts: &[(u128, Univariate)]| parts.iter().map(|part| part.1.degree()).max().unwrap_or(0);
+        let degree =
+            |parts: &[(u128, Univariate)]| parts.iter().map(|part| part.1.degree()).max().unwrap_or(0);
         let bound = degree(&a).min(degree(&b)).min(self.bounds[position] as usize);
         let needed = bound + scale.degree() + 1;
+        let words = [&a, &b].map(|parts| parts.iter().map(|part| part.0).collect::<Vec<u128>>());
         let mut collected = Images::default();
+        let mut skeleton: Option<Skeleton> = None;
         while collected.points.len() < needed {
             let point = self.points.next();
-            let fails = a[0].1.evaluate(field, point).is_zero() || b[0].1.evaluate(field, point).is_zero();
-            if fails || collected.points.contains(&point) {
-                budget::spend(1);
+            let values = [&a, &b].map(|parts| evaluate(field, parts, point));
+            if values.iter().any(|values| values[0].is_zero()) || collected.points.contains(&point) {
                 continue;
             }
-            let (a_image, b_image) = (evaluate(field, &a, point), evaluate(field, &b, point));
-            let image = self.gcd(&a_image, &b_image);
+            let before = budget::spent();
+            let known =
+                skeleton.as_ref().and_then(|skeleton| skeleton.image(field, [&values[0], &values[1]]));
+            let image = known.unwrap_or_else(|| {
+                skeleton = None;
+                let [a, b] = [0, 1].map(|k: usize| combine(&words[k], &values[k]));
+                self.gcd(&a, &b)
+            });
             if image.is_constant() {
                 return Multivariate::join(self.layout, position, &[(0, content)]);
             }
-            let known = collected.images.first().map_or(u128::MAX, Multivariate::leading_word);
-            if image.leading_word() > known {
+            let least = collected.images.first().map_or(u128::MAX, Multivariate::leading_word);
+            if image.leading_word() > least {
                 // An unlucky point: the degree of a gcd can only grow under evaluation.
                 continue;
             }
-            if image.leading_word() < known {
+            if image.leading_word() < least {
                 collected = Images::default();
+                // From the second image on the monomials are known; below two other variables there is nothing to save.
+                let dense = budget::spent() - before;
+                let point = self.points.take(self.layout.len());
+                let prepare = || Skeleton::new(field, self.layout, &image, [&words[0], &words[1]], &point);
+                let wanted = position >= 2 && needed > 1;
+                skeleton = if wanted { prepare().filter(|skeleton| skeleton.cost() < dense) } else { None };
             }
             collected.images.push(image.scale(field, scale.evaluate(field, point)));
             collected.points.push(point);
@@ -343,10 +409,16 @@ fn remove_content(field: &PrimeField, parts: &mut [(u128, Univariate)]) -> Univa
     content
 }
 
-fn evaluate(field: &PrimeField, parts: &[(u128, Univariate)], point: Residue) -> Multivariate {
+/// The values of all parts at `point`.
+fn evaluate(field: &PrimeField, parts: &[(u128, Univariate)], point: Residue) -> Vec<Residue> {
     budget::spend(parts.iter().map(|part| part.1.coefficients().len() as u64).sum());
-    let values = parts.iter().map(|(word, part)| (*word, part.evaluate(field, point)));
-    Multivariate { terms: values.filter(|term| !term.1.is_zero()).collect() }
+    parts.iter().map(|part| part.1.evaluate(field, point)).collect()
+}
+
+/// The polynomial with these monomials, in descending order, and coefficients, some of which may be zero.
+fn combine(words: &[u128], values: &[Residue]) -> Multivariate {
+    let terms = words.iter().copied().zip(values.iter().copied());
+    Multivariate { terms: terms.filter(|term| !term.1.is_zero()).collect() }
 }
 
 /// The polynomial in one more variable that has these images.
@@ -392,12 +464,13 @@ mod tests {
 
     fn product(a: &Multivariate, b: &Multivariate) -> Multivariate {
         let field = field();
-        let pairs = a.terms.iter().flat_map(|x| b.terms.iter().map(move |y| (x.0 + y.0, field.mul(x.1, y.1))));
+        let pairs =
+            a.terms.iter().flat_map(|x| b.terms.iter().map(move |y| (x.0 + y.0, field.mul(x.1, y.1))));
         Multivariate::new(&field, pairs.collect())
     }
 
     /// The quotient by the naive division of leading terms, if it is exact.
-    fn quotient(a: &Multivariate, b: &Multivariate) -> Option<Multivariate> {
+    fn naive_quotient(a: &Multivariate, b: &Multivariate) -> Option<Multivariate> {
         let (field, layout) = (field(), layout());
         let mut rest = a.clone();
         let mut terms = Vec::new();
@@ -452,11 +525,25 @@ mod tests {
             prop_assume!(!a.is_zero() && !b.is_zero() && !g.is_zero());
             let (x, y) = (product(&a, &g), product(&b, &g));
             let gcd = x.gcd(&field, &layout, &y, &trivial_bounds(&x, &y));
-            let cofactors = (quotient(&x, &gcd), quotient(&y, &gcd));
-            prop_assert!(quotient(&gcd, &g).is_some());
+            let cofactors = (naive_quotient(&x, &gcd), naive_quotient(&y, &gcd));
+            prop_assert!(naive_quotient(&gcd, &g).is_some());
             let (Some(a), Some(b)) = cofactors else { return Err(TestCaseError::fail("not a divisor")) };
             let rest = a.gcd(&field, &layout, &b, &trivial_bounds(&a, &b));
             prop_assert!(rest.is_constant());
+        }
+
+        #[test]
+        fn quotients_agree_with_the_naive_division(a in polynomials(6), b in polynomials(6), r in polynomials(3)) {
+            let (field, layout) = (field(), layout());
+            prop_assume!(!b.is_zero());
+            let exact = product(&a, &b);
+            let inexact = Multivariate::new(&field, [exact.terms.clone(), r.terms].concat());
+            for dividend in [exact, inexact] {
+                let degree = |poly: &Multivariate, i| poly.degree(&layout, i);
+                let bounds: Vec<u32> =
+                    (0..VARIABLES).map(|i| degree(&dividend, i).saturating_sub(degree(&b, i))).collect();
+                prop_assert_eq!(dividend.quotient(&field, &layout, &b, &bounds), naive_quotient(&dividend, &b));
+            }
         }
 
         #[test]

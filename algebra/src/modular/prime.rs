@@ -5,7 +5,8 @@ pub(crate) const PRIME_LIMIT: u64 = 1 << 62;
 
 /// `PRIME_LIMIT - p` for the first primes p of the sequence; a test compares the table with the search.
 const FIRST_GAPS: [u64; 24] = [
-    57, 87, 117, 143, 153, 167, 171, 195, 203, 273, 287, 317, 443, 483, 495, 575, 581, 603, 633, 663, 765, 773, 777, 791,
+    57, 87, 117, 143, 153, 167, 171, 195, 203, 273, 287, 317, 443, 483, 495, 575, 581, 603, 633, 663, 765,
+    773, 777, 791,
 ];
 
 /// Decides whether `n` is prime.
@@ -84,7 +85,8 @@ mod tests {
 
     #[test]
     fn pseudoprimes_and_large_numbers() {
-        for strong_pseudoprime in [2047, 1_373_653, 25_326_001, 3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051]
+        for strong_pseudoprime in
+            [2047, 1_373_653, 25_326_001, 3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051]
         {
             assert!(!is_prime(strong_pseudoprime), "{strong_pseudoprime}");
         }

@@ -1,7 +1,10 @@
 //! Primes that split completely in a tower of quadratic extensions, and the images of its elements.
 
+use std::collections::BTreeMap;
+
 use super::field::{PrimeField, Residue};
 use super::lift::Modulo;
+use super::multivariate::Multivariate;
 use crate::Int;
 
 /// The rule g² = r of a generator: the terms of r, each with the exponents (0 or 1) of the earlier generators.
@@ -27,7 +30,8 @@ impl Splitting {
         let mut roots = Vec::with_capacity(radicands.len());
         let mut choices: Vec<Vec<Residue>> = vec![Vec::new()];
         for radicand in radicands {
-            let level = choices.iter().map(|values| root(&field, radicand, values)).collect::<Option<Vec<_>>>()?;
+            let level =
+                choices.iter().map(|values| root(&field, radicand, values)).collect::<Option<Vec<_>>>()?;
             let signs = |(values, &root): (&Vec<Residue>, &Residue)| {
                 [root, field.neg(root)].map(|root| values.iter().copied().chain([root]).collect())
             };
@@ -35,16 +39,25 @@ impl Splitting {
             roots.push(level);
         }
         let product = |values: &[Residue], index: usize| {
-            let factor = |(i, &value): (usize, &Residue)| (index >> (values.len() - 1 - i) & 1 == 1).then_some(value);
-            values.iter().enumerate().filter_map(factor).fold(field.one(), |product, value| field.mul(product, value))
+            let factor =
+                |(i, &value): (usize, &Residue)| (index >> (values.len() - 1 - i) & 1 == 1).then_some(value);
+            values
+                .iter()
+                .enumerate()
+                .filter_map(factor)
+                .fold(field.one(), |product, value| field.mul(product, value))
         };
-        let images = |values: &Vec<Residue>| (0..1 << radicands.len()).map(|index| product(values, index)).collect();
+        let images =
+            |values: &Vec<Residue>| (0..1 << radicands.len()).map(|index| product(values, index)).collect();
         let basis = choices.iter().map(images).collect();
         Some(Self { field, roots, basis })
     }
 
     /// The first of `fields` that have such homomorphisms, with them.
-    pub(crate) fn find(fields: &mut impl Iterator<Item = PrimeField>, radicands: &[Radicand]) -> Option<Self> {
+    pub(crate) fn find(
+        fields: &mut impl Iterator<Item = PrimeField>,
+        radicands: &[Radicand],
+    ) -> Option<Self> {
         fields.find_map(|field| {
             crate::budget::spend(1000);
             Self::new(field, radicands)
@@ -61,10 +74,28 @@ impl Splitting {
         &self.basis
     }
 
+    /// The polynomial that has these images under all homomorphisms: nonzero coordinates of its coefficients, by word of
+    /// the monomial and index of the basis element.
+    pub(crate) fn lift_coefficients(&self, images: &[Multivariate]) -> BTreeMap<(u128, usize), Residue> {
+        let mut values: BTreeMap<u128, Vec<Residue>> = BTreeMap::new();
+        for (choice, image) in images.iter().enumerate() {
+            for &(word, value) in image.terms() {
+                values.entry(word).or_insert_with(|| vec![Residue::ZERO; images.len()])[choice] = value;
+            }
+        }
+        let mut result = BTreeMap::new();
+        for (word, mut values) in values {
+            self.coordinates(&mut values);
+            let nonzero = values.into_iter().enumerate().filter(|(_, value)| !value.is_zero());
+            result.extend(nonzero.map(|(index, value)| ((word, index), value)));
+        }
+        result
+    }
+
     /// Replaces the images of an element under all homomorphisms by its coordinates modulo p, by index.
     ///
     /// A transform like Hadamard's, one generator at a time from the last one: x = a + b·g has the images a ± b·ρ.
-    pub(crate) fn coordinates(&self, images: &mut [Residue]) {
+    fn coordinates(&self, images: &mut [Residue]) {
         let field = &self.field;
         let half = field.invert(field.residue(2)).unwrap_or_default();
         for (i, level) in self.roots.iter().enumerate().rev() {
@@ -84,7 +115,8 @@ impl Splitting {
 /// A square root of the image of a radicand, if that is a nonzero square.
 fn root(field: &PrimeField, radicand: &Radicand, values: &[Residue]) -> Option<Residue> {
     let term = |(exponents, coefficient): &(Vec<u32>, Int)| {
-        let powers = exponents.iter().zip(values).map(|(&exponent, &value)| field.pow(value, exponent.into()));
+        let powers =
+            exponents.iter().zip(values).map(|(&exponent, &value)| field.pow(value, exponent.into()));
         powers.fold(coefficient.modulo(field), |product, power| field.mul(product, power))
     };
     let image = radicand.iter().map(term).fold(Residue::ZERO, |sum, value| field.add(sum, value));
@@ -109,7 +141,8 @@ mod tests {
         // 5 + 7θ − 3√2 + 11√2θ, whose coordinates stand in the order 1, θ, √2, √2θ.
         let coordinates = [5, 7, -3, 11].map(|value| field.residue(value));
         let image = |basis: &Vec<Residue>| {
-            let products = basis.iter().zip(coordinates).map(|(&value, coordinate)| field.mul(value, coordinate));
+            let products =
+                basis.iter().zip(coordinates).map(|(&value, coordinate)| field.mul(value, coordinate));
             products.fold(Residue::ZERO, |sum, product| field.add(sum, product))
         };
         let mut images: Vec<Residue> = splitting.basis().iter().map(image).collect();

@@ -52,9 +52,10 @@ impl Univariate {
 
     /// The value at `point`, by Horner's rule.
     pub(crate) fn evaluate(&self, field: &PrimeField, point: Residue) -> Residue {
-        self.coefficients.iter().rev().fold(Residue::ZERO, |value, &coefficient| {
-            field.add(field.mul(value, point), coefficient)
-        })
+        self.coefficients
+            .iter()
+            .rev()
+            .fold(Residue::ZERO, |value, &coefficient| field.add(field.mul(value, point), coefficient))
     }
 
     /// The polynomial times a constant.
@@ -117,30 +118,6 @@ impl Univariate {
             (high, low) = (low, high);
         }
         if low.is_empty() { Self::new(high).monic(field) } else { Self::constant(field.one()) }
-    }
-
-    /// The resultant, with the sign of Sylvester's determinant; zero if one of the two is zero.
-    ///
-    /// By the Euclidean algorithm: res(a, b) = (−1)^(deg a·deg b) lc(b)^(deg a − deg r) res(b, r), where r = a mod b.
-    pub(crate) fn resultant(&self, field: &PrimeField, other: &Self) -> Residue {
-        let (mut high, mut low) = (self.clone(), other.clone());
-        if high.is_zero() || low.is_zero() {
-            return Residue::ZERO;
-        }
-        let mut result = field.one();
-        while !low.is_constant() {
-            let Some((_, remainder)) = high.divide(field, &low) else { return Residue::ZERO };
-            if remainder.is_zero() {
-                return Residue::ZERO;
-            }
-            let drop = (high.degree() - remainder.degree()) as u64;
-            result = field.mul(result, field.pow(low.leading(), drop));
-            if high.degree() % 2 == 1 && low.degree() % 2 == 1 {
-                result = field.neg(result);
-            }
-            (high, low) = (low, remainder);
-        }
-        field.mul(result, field.pow(low.leading(), high.degree() as u64))
     }
 }
 
@@ -216,42 +193,6 @@ mod tests {
         prop::collection::vec(-3_i64..=3, 0..7).prop_map(|coefficients| polynomial(&coefficients))
     }
 
-    /// The determinant of Sylvester's matrix, by Gaussian elimination.
-    fn sylvester(a: &Univariate, b: &Univariate) -> Residue {
-        let field = field();
-        let (m, n) = (a.degree(), b.degree());
-        let mut rows = Vec::new();
-        for (polynomial, shifts) in [(a, n), (b, m)] {
-            for shift in 0..shifts {
-                let mut row = vec![Residue::ZERO; m + n];
-                for (i, &coefficient) in polynomial.coefficients().iter().rev().enumerate() {
-                    row[shift + i] = coefficient;
-                }
-                rows.push(row);
-            }
-        }
-        let mut determinant = field.one();
-        for column in 0..m + n {
-            let Some(pivot) = (column..m + n).find(|&row| !rows[row][column].is_zero()) else {
-                return Residue::ZERO;
-            };
-            if pivot != column {
-                rows.swap(pivot, column);
-                determinant = field.neg(determinant);
-            }
-            determinant = field.mul(determinant, rows[column][column]);
-            let inverse = field.invert(rows[column][column]).unwrap();
-            for row in column + 1..m + n {
-                let factor = field.mul(rows[row][column], inverse);
-                for j in column..m + n {
-                    let product = field.mul(factor, rows[column][j]);
-                    rows[row][j] = field.sub(rows[row][j], product);
-                }
-            }
-        }
-        determinant
-    }
-
     #[test]
     fn small_gcds() {
         let field = field();
@@ -287,14 +228,8 @@ mod tests {
             let (x_rest, x_remainder) = x.divide(&field, &gcd).unwrap();
             let (y_rest, y_remainder) = y.divide(&field, &gcd).unwrap();
             prop_assert!(x_remainder.is_zero() && y_remainder.is_zero());
-            prop_assert!(!x_rest.resultant(&field, &y_rest).is_zero());
+            prop_assert!(x_rest.gcd(&field, &y_rest).is_constant());
             prop_assert!(gcd.divide(&field, &g).unwrap().1.is_zero());
-        }
-
-        #[test]
-        fn resultant_is_sylvesters_determinant(a in polynomials(), b in polynomials()) {
-            prop_assume!(!a.is_zero() && !b.is_zero());
-            prop_assert_eq!(a.resultant(&field(), &b), sylvester(&a, &b));
         }
 
         #[test]

@@ -1,7 +1,9 @@
 //! Exact numbers.
 
 pub(crate) mod algebraic;
+pub(crate) mod complex;
 pub(crate) mod enclosure;
 pub(crate) mod field;
 pub(crate) mod int;
 pub(crate) mod rational;
+pub(crate) mod trig;

@@ -1,19 +1,19 @@
 //! Greatest common divisors, certified by exact division.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::images::Frame;
+use super::quotient::quotient;
 use super::ring::{Monomial, Ring, Variable};
 use super::{Poly, Term};
-use crate::modular::field::{PrimeField, Residue};
+use crate::modular::field::PrimeField;
 use crate::modular::lift::{Chinese, Modulo};
 use crate::modular::multivariate::{Layout, Multivariate, Points};
 use crate::modular::splitting::Splitting;
-use crate::{Int, Rational, budget};
+use crate::{Int, Rational};
 
 impl Poly {
     /// The greatest common divisor over the number field, [normalized](Poly::normalized): content 1, and the leading
@@ -22,11 +22,12 @@ impl Poly {
     ///
     /// Common monomials and variables that cannot occur are split off first; images in one variable bound the degree in
     /// each variable, which certifies coprimality at once. What remains is computed modulo primes that split completely
-    /// in the number field, under all their homomorphisms, by Brown's algorithm (*On Euclid's algorithm and the
-    /// computation of polynomial greatest common divisors*, 1971), lifted to the number field by Chinese remainders and
+    /// in the number field, under all their homomorphisms, by the interpolation of Brown (*On Euclid's algorithm and the
+    /// computation of polynomial greatest common divisors*, 1971) and, where that is cheaper, Zippel (*Probabilistic
+    /// algorithms for sparse polynomials*, 1979), lifted to the number field by Chinese remainders and
     /// rational reconstruction, and accepted only if it divides both (Encarnación, *Computing gcds of polynomials over
-    /// algebraic number fields*, 1995). Complexity: for each prime one evaluation of the operands for every point of a
-    /// grid of the size of the gcd's degrees in all variables but one.
+    /// algebraic number fields*, 1995). Complexity: for each prime at most one gcd in one variable for every point of a
+    /// grid of the size of the gcd's degrees in the other variables; for a sparse gcd of t terms, some t for each degree.
     ///
     /// ```
     /// use hodograph_algebra::{Poly, Variable, integer};
@@ -65,7 +66,7 @@ impl Poly {
         nonzero.sort_by_key(|poly| poly.terms.len());
         let mut gcd = Poly::zero();
         for poly in nonzero {
-            if gcd.is_zero() || !gcd.divides(poly) {
+            if gcd.is_zero() || quotient(poly, &gcd).is_none() {
                 gcd = gcd.gcd(poly);
             }
             if gcd.is_one() {
@@ -104,10 +105,7 @@ impl Poly {
 
 /// The quotient by a polynomial that is known to divide.
 pub(crate) fn exact_quotient(dividend: &Poly, divisor: &Poly) -> Poly {
-    match dividend.exact_div(divisor) {
-        Some(quotient) => quotient,
-        None => unreachable!("a certified divisor divides"),
-    }
+    quotient(dividend, divisor).expect("a certified divisor divides")
 }
 
 /// The largest monomial in the variables that divides a nonzero polynomial, as exponents, and the quotient.
@@ -138,42 +136,67 @@ fn gcd_without_monomials(a: &Poly, b: &Poly) -> Poly {
     if a.terms == b.terms {
         return a.normalized();
     }
-    let degrees = |poly: &Poly| -> Vec<u32> {
-        let degree = |i| poly.terms.iter().map(|term| poly.ring.exponent(term.monomial, i)).max().unwrap_or(0);
-        (0..poly.ring.variables().len()).map(degree).collect()
-    };
     let (a_degrees, b_degrees) = (degrees(a), degrees(b));
-    let bounds = degree_bounds(a, b, &a_degrees, &b_degrees);
-    if bounds.iter().all(|&bound| bound == 0) {
-        return Poly::one();
-    }
-    // The smaller operand may be the gcd itself; its degrees tell when that is possible.
-    for (divisor, degrees, dividend) in [(a, &a_degrees, b), (b, &b_degrees, a)] {
-        if *degrees == bounds && divisor.divides(dividend) {
-            return divisor.normalized();
+    let most: Vec<u32> = a_degrees.iter().zip(&b_degrees).map(|(&a, &b)| a.max(b)).collect();
+    let mut fields = PrimeField::sequence();
+    loop {
+        let bounds = degree_bounds(a, b, &mut fields);
+        if bounds.iter().all(|&bound| bound == 0) {
+            return Poly::one();
+        }
+        // One operand may be the gcd itself; its degrees tell when that is possible.
+        for (divisor, degrees, dividend) in [(a, &a_degrees, b), (b, &b_degrees, a)] {
+            if *degrees == bounds && quotient(dividend, divisor).is_some() {
+                return divisor.normalized();
+            }
+        }
+        let free = |i: &usize| bounds[*i] == 0 && most[*i] > 0;
+        let free: Vec<Variable> =
+            (0..bounds.len()).filter(free).map(|i| a.ring.variables()[i].clone()).collect();
+        if !free.is_empty() {
+            // These variables do not occur in the gcd, which therefore divides all coefficients of their monomials.
+            let coefficients = [a, b].into_iter().flat_map(|poly| poly.coefficients_of(&free).into_values());
+            return Poly::gcd_many(&coefficients.collect::<Vec<_>>());
+        }
+        // Interpolation runs over all variables but the first, which therefore is one of the highest degree.
+        let mut positions: Vec<usize> = (0..bounds.len()).filter(|&i| bounds[i] > 0).collect();
+        positions.sort_by_key(|&i| std::cmp::Reverse(bounds[i]));
+        if positions.len() > 2 {
+            // Sparse interpolation needs a gcd that is primitive in the first variable.
+            let main = &a.ring.variables()[positions[0]];
+            let content = Poly::gcd_many(&[a.coefficients(main), b.coefficients(main)].concat());
+            if !content.is_one() {
+                let [a, b] = [a, b].map(|poly| exact_quotient(poly, &content));
+                return content * a.gcd(&b);
+            }
+        }
+        let pick = |values: &[u32]| positions.iter().map(|&i| values[i]).collect::<Vec<u32>>();
+        let frame = Frame::new([a, b], positions.clone(), &pick(&most));
+        if let Some((divisor, cofactors)) = modular_divisor(&frame, a, b, &pick(&bounds), &mut fields) {
+            // A divisor that reaches the proved bounds is the greatest one; else the cofactors have the last word.
+            let greatest = degrees(&divisor.transfer_to(&a.ring)) == bounds;
+            return if greatest { divisor } else { divisor * cofactors[0].gcd(&cofactors[1]) };
         }
     }
-    let free = |i: &usize| bounds[*i] == 0 && (a_degrees[*i] > 0 || b_degrees[*i] > 0);
-    let free: Vec<Variable> =
-        (0..bounds.len()).filter(free).map(|i| a.ring.variables()[i].clone()).collect();
-    if !free.is_empty() {
-        // These variables do not occur in the gcd, which therefore divides all coefficients of their monomials.
-        let coefficients = [a, b].into_iter().flat_map(|poly| poly.coefficients_of(&free).into_values());
-        return Poly::gcd_many(&coefficients.collect::<Vec<_>>());
-    }
-    let most: Vec<u32> = a_degrees.iter().zip(&b_degrees).map(|(&a, &b)| a.max(b)).collect();
-    modular_gcd(a, b, &most, &bounds)
 }
 
-/// Proved bounds for the degrees of the gcd in all variables of the ring.
+/// The degrees in all variables of the ring.
+fn degrees(poly: &Poly) -> Vec<u32> {
+    let degree = |i| poly.terms.iter().map(|term| poly.ring.exponent(term.monomial, i)).max().unwrap_or(0);
+    (0..poly.ring.variables().len()).map(degree).collect()
+}
+
+/// Proved bounds for the degrees of the gcd in all variables of the ring, from an image modulo the next prime.
 ///
 /// The gcd of images in x alone, where all else is replaced by numbers modulo p, has at least the degree in x of the
 /// gcd, if the degree in x of one of the two operands is kept.
-fn degree_bounds(a: &Poly, b: &Poly, a_degrees: &[u32], b_degrees: &[u32]) -> Vec<u32> {
-    let positions: Vec<usize> = (0..a_degrees.len()).filter(|&i| a_degrees[i] > 0 || b_degrees[i] > 0).collect();
+fn degree_bounds(a: &Poly, b: &Poly, fields: &mut impl Iterator<Item = PrimeField>) -> Vec<u32> {
+    let (a_degrees, b_degrees) = (degrees(a), degrees(b));
+    let positions: Vec<usize> =
+        (0..a_degrees.len()).filter(|&i| a_degrees[i] > 0 || b_degrees[i] > 0).collect();
     let most: Vec<u32> = positions.iter().map(|&i| a_degrees[i].max(b_degrees[i])).collect();
-    let frame = Frame::new(&a.ring, positions.clone(), &most);
-    let splitting = frame.splitting(&mut PrimeField::sequence());
+    let frame = Frame::new([a, b], positions.clone(), &most);
+    let splitting = frame.splitting(fields);
     let field = splitting.field();
     let images = [a, b].map(|poly| frame.terms(poly).image(&splitting, 0));
     let mut points = Points::new(field);
@@ -186,43 +209,49 @@ fn degree_bounds(a: &Poly, b: &Poly, a_degrees: &[u32], b_degrees: &[u32]) -> Ve
         let point = points.take(positions.len());
         let [a_image, b_image] =
             [0, 1].map(|k: usize| images[k].univariate_image(field, frame.layout(), i, &point));
-        let kept = a_image.degree() == a_degrees[position] as usize || b_image.degree() == b_degrees[position] as usize;
+        let kept = a_image.degree() == a_degrees[position] as usize
+            || b_image.degree() == b_degrees[position] as usize;
         let found = a_image.gcd(field, &b_image).degree();
-        bounds[position] = if kept { u32::try_from(found).map_or(least, |found| found.min(least)) } else { least };
+        bounds[position] =
+            if kept { u32::try_from(found).map_or(least, |found| found.min(least)) } else { least };
     }
     bounds
 }
 
-/// The gcd of two polynomials in the same variables, which all may occur in it, to at most the degrees `bounds`.
-fn modular_gcd(a: &Poly, b: &Poly, most: &[u32], bounds: &[u32]) -> Poly {
-    // Interpolation runs over all variables but the first, which therefore is one of the highest degree.
-    let mut positions: Vec<usize> = (0..bounds.len()).filter(|&i| bounds[i] > 0).collect();
-    positions.sort_by_key(|&i| std::cmp::Reverse(bounds[i]));
-    let pick = |values: &[u32]| positions.iter().map(|&i| values[i]).collect::<Vec<_>>();
-    let bounds = pick(bounds);
-    let frame = Frame::new(&a.ring, positions.clone(), &pick(most));
+/// How many primes may disagree with the leading monomial that the others found, before all is tried again.
+const MOST_MISSES: u32 = 4;
+
+/// A common divisor of two polynomials in the variables of `frame`, not a number, with both cofactors: very likely the
+/// greatest one, whose degrees are at most `bounds`. `None` where the images contradict these or each other.
+fn modular_divisor(
+    frame: &Frame,
+    a: &Poly,
+    b: &Poly,
+    bounds: &[u32],
+    fields: &mut impl Iterator<Item = PrimeField>,
+) -> Option<(Poly, [Poly; 2])> {
     let (a_terms, b_terms) = (frame.terms(a), frame.terms(b));
     // The leading coefficient of the gcd divides this one, so with it the coefficients are integers.
     let scale = match (a_terms.leading_integer(), b_terms.leading_integer()) {
         (Some(a), Some(b)) => a.gcd(b),
         _ => Int::ONE,
     };
-    let mut fields = PrimeField::sequence();
     let mut leading = u128::MAX;
     let mut known: Chinese<(u128, usize)> = Chinese::new();
     let mut refused = None;
-    loop {
-        let splitting = frame.splitting(&mut fields);
+    let mut misses = 0;
+    while misses < MOST_MISSES {
+        let splitting = frame.splitting(fields);
         let (a_images, b_images) = (a_terms.images(&splitting), b_terms.images(&splitting));
         let keeps = |images: &[Multivariate], word| images.iter().all(|image| image.leading_word() == word);
         if !keeps(&a_images, a_terms.leading_word()) || !keeps(&b_images, b_terms.leading_word()) {
             continue;
         }
-        let images = gcd_images(&splitting, frame.layout(), &a_images, &b_images, &bounds);
-        // No image has a smaller leading monomial than the gcd, so that of all images so far is the best guess.
+        let images = gcd_images(&splitting, frame.layout(), &a_images, &b_images, bounds);
+        // The leading monomial of an image is not smaller than that of the gcd, so the smallest is the best guess.
         let least = images.iter().map(Multivariate::leading_word).min().unwrap_or(0);
         if least == 0 {
-            return Poly::one();
+            return None;
         }
         if least < leading {
             leading = least;
@@ -230,21 +259,26 @@ fn modular_gcd(a: &Poly, b: &Poly, most: &[u32], bounds: &[u32]) -> Poly {
             refused = None;
         }
         if !keeps(&images, leading) {
+            misses += 1;
             continue;
         }
-        known.absorb(splitting.field(), &coordinates(&splitting, &images, &scale));
+        let factor = scale.modulo(splitting.field());
+        let images: Vec<Multivariate> =
+            images.iter().map(|image| image.scale(splitting.field(), factor)).collect();
+        known.absorb(splitting.field(), &splitting.lift_coefficients(&images));
         let Some(values) = known.reconstruct() else { continue };
         let terms = values.into_iter().map(|((word, index), value)| (frame.monomial(word, index), value));
         let candidate = Poly::from_rational_terms(a.ring.clone(), terms.collect()).normalized();
         if refused.as_ref() == Some(&candidate) {
             continue;
         }
-        let (first, second) = if a.terms.len() <= b.terms.len() { (a, b) } else { (b, a) };
-        if candidate.divides(first) && candidate.divides(second) {
-            return candidate;
+        let cofactors = quotient(a, &candidate).and_then(|first| Some([first, quotient(b, &candidate)?]));
+        if let Some(cofactors) = cofactors {
+            return Some((candidate, cofactors));
         }
         refused = Some(candidate);
     }
+    None
 }
 
 /// The monic gcds of corresponding images.
@@ -256,24 +290,4 @@ fn gcd_images(
     bounds: &[u32],
 ) -> Vec<Multivariate> {
     a.iter().zip(b).map(|(a, b)| a.gcd(splitting.field(), layout, b, bounds)).collect()
-}
-
-/// `scale` times the polynomial that has these images under all homomorphisms: residues by monomial and basis element.
-fn coordinates(splitting: &Splitting, images: &[Multivariate], scale: &Int) -> BTreeMap<(u128, usize), Residue> {
-    let field = splitting.field();
-    let scale = scale.modulo(field);
-    let mut values: BTreeMap<u128, Vec<Residue>> = BTreeMap::new();
-    for (choice, image) in images.iter().enumerate() {
-        for &(word, value) in image.terms() {
-            values.entry(word).or_insert_with(|| vec![Residue::ZERO; images.len()])[choice] = value;
-        }
-    }
-    let mut result = BTreeMap::new();
-    for (word, mut values) in values {
-        splitting.coordinates(&mut values);
-        for (index, value) in values.into_iter().enumerate().filter(|(_, value)| !value.is_zero()) {
-            result.insert((word, index), field.mul(value, scale));
-        }
-    }
-    result
 }

@@ -19,6 +19,9 @@ pub(crate) struct Frame {
     /// The positions in the ring of the chosen variables.
     positions: Vec<usize>,
     layout: Layout,
+    /// The positions in the field of the generators that occur, or that these depend on.
+    generators: Vec<usize>,
+    /// Their rules, in terms of each other.
     radicands: Vec<Radicand>,
 }
 
@@ -38,18 +41,32 @@ struct FramedTerm {
 }
 
 impl Frame {
-    /// The frame of the variables at `positions`, the only ones to occur, of at most these `degrees`.
-    pub(crate) fn new(ring: &Arc<Ring>, positions: Vec<usize>, degrees: &[u32]) -> Frame {
+    /// The frame for `polys`, polynomials of one ring where only the variables at `positions` occur, to at most these
+    /// `degrees`.
+    pub(crate) fn new(polys: [&Poly; 2], positions: Vec<usize>, degrees: &[u32]) -> Frame {
         let Some(layout) = Layout::new(degrees) else {
             budget::refuse("exponents beyond the range of monomials");
         };
-        let radicands = ring.field().generators().iter().map(|generator| generator.radicand_terms().collect());
-        Frame { radicands: radicands.collect(), ring: ring.clone(), positions, layout }
+        let ring = polys[0].ring().clone();
+        let generators = occurring_generators(&ring, polys);
+        let radicands = generators.iter().map(|&generator| {
+            let terms = ring.field().generators()[generator].radicand_terms();
+            let earlier = |exponents: &[u32]| {
+                generators.iter().filter_map(|&position| exponents.get(position).copied()).collect()
+            };
+            terms.map(|(exponents, coefficient)| (earlier(&exponents), coefficient)).collect()
+        });
+        Frame { radicands: radicands.collect(), generators, ring, positions, layout }
     }
 
     /// The packing of exponents.
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Whether all coefficients are rational.
+    pub(crate) fn is_rational(&self) -> bool {
+        self.generators.is_empty()
     }
 
     /// The next of `fields` with homomorphisms from the number field, with them.
@@ -64,13 +81,13 @@ impl Frame {
 
     /// The primitive part of `poly` in this frame.
     pub(crate) fn terms(&self, poly: &Poly) -> FramedTerms {
-        let generators = self.radicands.len();
         let read = |term: &Term| {
             let exponents: Vec<u32> =
                 self.positions.iter().map(|&position| self.ring.exponent(term.monomial, position)).collect();
             let word = self.layout.pack(&exponents);
-            let bit = |i: usize| (self.ring.generator_exponent(term.monomial, i) as usize) << (generators - 1 - i);
-            let index = (0..generators).map(bit).sum();
+            let bits =
+                self.generators.iter().map(|&i| self.ring.generator_exponent(term.monomial, i) as usize);
+            let index = bits.fold(0, |index, bit| 2 * index + bit);
             FramedTerm { word, index, coefficient: term.coefficient.clone() }
         };
         let mut terms: Vec<FramedTerm> = poly.terms().iter().map(read).collect();
@@ -84,10 +101,29 @@ impl Frame {
         for (i, &position) in self.positions.iter().enumerate() {
             exponents[position] = self.layout.exponent(word, i);
         }
-        let count = self.radicands.len();
-        let generators: Vec<u32> = (0..count).map(|i| (index >> (count - 1 - i) & 1) as u32).collect();
+        let mut generators = vec![0; self.ring.field().generators().len()];
+        for (i, &generator) in self.generators.iter().rev().enumerate() {
+            generators[generator] = (index >> i & 1) as u32;
+        }
         self.ring.monomial(&exponents, &generators)
     }
+}
+
+/// The positions of the generators that occur in `polys` or in the radicands of those that do, ascending.
+fn occurring_generators(ring: &Ring, polys: [&Poly; 2]) -> Vec<usize> {
+    let union = polys.iter().flat_map(|poly| poly.terms()).fold(0, |union, term| union | term.monomial.0);
+    let all = ring.field().generators();
+    let mut occurs: Vec<bool> =
+        (0..all.len()).map(|i| ring.generator_exponent(Monomial(union), i) > 0).collect();
+    // Radicands hold earlier generators only, so one pass from the last one down finds all.
+    for i in (0..all.len()).rev() {
+        if occurs[i] {
+            for (exponents, _) in all[i].radicand_terms() {
+                exponents.iter().zip(&mut occurs).for_each(|(&exponent, occurs)| *occurs |= exponent > 0);
+            }
+        }
+    }
+    (0..all.len()).filter(|&i| occurs[i]).collect()
 }
 
 impl FramedTerms {

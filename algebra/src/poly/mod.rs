@@ -3,7 +3,13 @@
 pub(crate) mod arithmetic;
 pub(crate) mod display;
 pub(crate) mod division;
+pub(crate) mod gcd;
+pub(crate) mod images;
+pub(crate) mod perfect_square;
+pub(crate) mod quotient;
+pub(crate) mod resultant;
 pub(crate) mod ring;
+pub(crate) mod squarefree;
 pub(crate) mod substitute;
 pub(crate) mod terms;
 
@@ -14,7 +20,9 @@ use num_traits::{One, Signed, Zero};
 
 use crate::number::field::{self, NumberField};
 use crate::{Int, Rational, rational_gcd};
+pub use perfect_square::SquareSplit;
 pub use ring::{Monomial, Ring, Variable};
+pub use squarefree::Squarefree;
 
 /// One term of the primitive part of a [`Poly`].
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]

@@ -42,6 +42,9 @@ impl Diagnostic {
     }
 }
 
+/// How many mistakes are shown; the others are only counted.
+const SHOWN: usize = 20;
+
 /// How many mistakes are kept; the others are only counted.
 const KEPT: usize = 1000;
 
@@ -84,6 +87,20 @@ impl Diagnostics {
     /// How many mistakes were found, those not kept included.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// The mistakes that are shown to a person: the first twenty.
+    pub(super) fn shown(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.kept.iter().take(SHOWN)
+    }
+
+    /// How many mistakes are not shown, in words.
+    pub(super) fn remainder(&self) -> Option<String> {
+        match self.count.saturating_sub(SHOWN) {
+            0 => None,
+            1 => Some("… and 1 more mistake".to_string()),
+            more => Some(format!("… and {more} more mistakes")),
+        }
     }
 
     /// The mistakes, by place.

@@ -96,12 +96,14 @@ impl Lexer<'_> {
                 self.at += character.len_utf8();
             } else {
                 let span = self.place(start..start + 2);
-                self.diagnostics.push(Diagnostic::new(span, "this comment is not closed").help("close it with `*/`"));
+                self.diagnostics
+                    .push(Diagnostic::new(span, "this comment is not closed").help("close it with `*/`"));
                 return;
             }
         }
         let comment = &self.text[start..self.at];
-        let is_documentation = comment.starts_with("/**") && !comment.starts_with("/***") && comment != "/**/";
+        let is_documentation =
+            comment.starts_with("/**") && !comment.starts_with("/***") && comment != "/**/";
         if comment.starts_with("/*!") {
             let span = self.place(start..self.at);
             self.diagnostics.push(spelling::inner_documentation(span));
@@ -119,8 +121,14 @@ impl Lexer<'_> {
         let start = self.at;
         self.take_while(spelling::continues_name);
         let word = &self.text[start..self.at];
+        let byte = if word == "b" { character_length(self.rest()) } else { None };
+        // `b'c'`, `b"…"`, `r"…"` and their kin are single tokens of Rust.
+        if let Some(length) = byte {
+            self.at += length;
+            self.push(start, spelling::foreign_literal);
+            return;
+        }
         match self.peek() {
-            // `b"…"`, `r"…"` and their kin are single tokens of Rust.
             Some('"') if matches!(word, "b" | "c" | "r" | "br" | "cr") => {
                 self.at += string_length(self.rest()).0;
                 self.push(start, spelling::foreign_literal);
@@ -268,9 +276,10 @@ fn string_length(text: &str) -> (usize, bool) {
     (text.len(), false)
 }
 
-/// The length of the character literal `'c'` at the beginning of the text.
+/// The length of the character literal `'c'` at the beginning of the text, if there is one.
 fn character_length(text: &str) -> Option<usize> {
-    let mut characters = text.char_indices().skip(1);
+    let mut characters = text.char_indices();
+    let (_, _quote) = characters.next().filter(|&(_, quote)| quote == '\'')?;
     let (_, first) = characters.next()?;
     if first == '\\' {
         let _escaped = characters.next()?;
@@ -327,6 +336,7 @@ mod tests {
             ("x' + y", "'", "write `diff(x, v)`, with the parameter that it is differentiated by"),
             ("s(v)''", "''", "write `diff(x, v)`, with the parameter that it is differentiated by"),
             ("= 'c'", "'c'", "a text stands in plain double quotes: \"…\""),
+            ("b x' y", "'", "write `diff(x, v)`, with the parameter that it is differentiated by"),
             ("r\"c\"", "r\"c\"", "a text stands in plain double quotes: \"…\""),
             ("a \"b;\nc", "\"b;", "close it with `\"`"),
             ("\"\\q\"", "\"\\q\"", "write `\\\\` for a backslash itself"),
@@ -354,7 +364,10 @@ mod tests {
         let (tokens, _, diagnostics) = lex("test", "2u ≤ √ x' “a”; 0x1F");
         assert_eq!(diagnostics.count(), 6);
         let shown: Vec<String> = tokens.kinds().iter().map(ToString::to_string).collect();
-        assert_eq!(shown.join(" "), "the number 2 `<=` something unknown `x` the text \"a\" `;` the number 31 the end");
+        assert_eq!(
+            shown.join(" "),
+            "the number 2 `<=` something unknown `x` the text \"a\" `;` the number 31 the end"
+        );
     }
 
     #[test]

@@ -20,10 +20,10 @@ impl MacroSource {
         (place(span.first).unwrap_or_else(whole), place(span.last).unwrap_or_else(whole))
     }
 
-    /// All mistakes as one error at the user's tokens; `None` if there are none.
+    /// The mistakes as one error at the user's tokens, at most twenty and then a count; `None` if there are none.
     pub fn error(&self, diagnostics: &Diagnostics) -> Option<syn::Error> {
         let mut all: Option<syn::Error> = None;
-        for diagnostic in diagnostics.iter() {
+        for diagnostic in diagnostics.shown() {
             let mut message = diagnostic.message.clone();
             for text in diagnostic.label.iter() {
                 message.push_str(": ");
@@ -41,6 +41,9 @@ impl MacroSource {
                     None => all = Some(error),
                 }
             }
+        }
+        if let (Some(all), Some(remainder)) = (&mut all, diagnostics.remainder()) {
+            all.combine(syn::Error::new(proc_macro2::Span::call_site(), remainder));
         }
         all
     }
@@ -175,11 +178,14 @@ impl Adapter {
     fn documentation(&mut self, hash: proc_macro2::Span, rest: &[TokenTree]) -> Option<usize> {
         let (is_inner, group, length) = match rest {
             [TokenTree::Group(group), ..] => (false, group, 1),
-            [TokenTree::Punct(bang), TokenTree::Group(group), ..] if bang.as_char() == '!' => (true, group, 2),
+            [TokenTree::Punct(bang), TokenTree::Group(group), ..] if bang.as_char() == '!' => {
+                (true, group, 2)
+            }
             _ => return None,
         };
         let attribute: Vec<TokenTree> = group.stream().into_iter().collect();
-        let [TokenTree::Ident(doc), TokenTree::Punct(equal), TokenTree::Literal(text)] = attribute.as_slice() else {
+        let [TokenTree::Ident(doc), TokenTree::Punct(equal), TokenTree::Literal(text)] = attribute.as_slice()
+        else {
             return None;
         };
         if group.delimiter() != Delimiter::Bracket || doc != "doc" || equal.as_char() != '=' {
@@ -220,7 +226,11 @@ impl Adapter {
         }
     }
 
-    fn spelled(&mut self, at: proc_macro2::Span, spell: impl FnOnce(Span) -> (TokenKind, Option<Diagnostic>)) {
+    fn spelled(
+        &mut self,
+        at: proc_macro2::Span,
+        spell: impl FnOnce(Span) -> (TokenKind, Option<Diagnostic>),
+    ) {
         let span = self.place(at);
         let (kind, wrong) = spell(span);
         if let Some(wrong) = wrong {
@@ -263,7 +273,9 @@ fn is_operation(trees: &[TokenTree]) -> bool {
         .iter()
         .filter_map(|tree| if let TokenTree::Punct(punct) = tree { Some(punct.as_char()) } else { None })
         .collect();
-    signs.contains(['+', '-', '*', '/', '^', '<', '>']) && !signs.contains([',', ';', ':']) && !signs.contains("..")
+    signs.contains(['+', '-', '*', '/', '^', '<', '>'])
+        && !signs.contains([',', ';', ':'])
+        && !signs.contains("..")
 }
 
 #[cfg(test)]
@@ -280,7 +292,7 @@ mod tests {
         "a <= b >= c < d > e == f = g == = .. . ... ..= === <== => =",
         "2^-3*-a^-b--c",
         "0.5.x 1.x 1..2 1_000 1e-3 2.5E+7 1_e2 007",
-        "2u 2.5u 1_000u 0x10 0b101 0o17 0xZ 1f64 3usize 5i 2e3x 1. 0x",
+        "2u 2.5u 1_000u 0x10 0b101 0o17 1f64 3usize 5i 2e3x 1. ",
         "p.x * s.normal + (a, b)[c]{d}",
         "σ + κ*x_1 straße",
         "a ! b && c || d % e # f @ g $ h ~ i ? j != k",
@@ -325,7 +337,8 @@ mod tests {
     fn invisible_groups_keep_their_operators_together() {
         let hidden = |text: &str| TokenTree::Group(Group::new(Delimiter::None, text.parse().unwrap()));
         let product = |text: &str| -> Vec<TokenKind> {
-            let stream: TokenStream = "2 *".parse::<TokenStream>().unwrap().into_iter().chain([hidden(text)]).collect();
+            let stream: TokenStream =
+                "2 *".parse::<TokenStream>().unwrap().into_iter().chain([hidden(text)]).collect();
             adapt(stream).0.kinds()
         };
         let lexed = |text: &str| lex("test", text).0.kinds();
@@ -346,13 +359,24 @@ mod tests {
         assert_eq!(adapt(stream).0.kinds().len(), 40_001);
     }
 
+    /// How many errors there are, and the last of them.
+    fn source_error_count(text: String) -> (usize, String) {
+        let (_, source, wrong) = adapt(text.parse().unwrap());
+        let errors: Vec<String> =
+            source.error(&wrong).into_iter().flatten().map(|error| error.to_string()).collect();
+        (errors.len(), errors.last().cloned().unwrap_or_default())
+    }
+
     #[test]
     fn mistakes_stand_at_the_tokens_of_the_user() {
         let (_, source, wrong) = adapt("a + 2u\n  + 0x10".parse().unwrap());
         let error = source.error(&wrong).expect("two mistakes");
-        let places: Vec<_> = error.into_iter().map(|error| (error.span().start().line, error.to_string())).collect();
+        let places: Vec<_> =
+            error.into_iter().map(|error| (error.span().start().line, error.to_string())).collect();
         assert_eq!(places.len(), 2);
         assert_eq!((places[0].0, places[1].0), (1, 2));
+        let many = source_error_count("2u ".repeat(30));
+        assert_eq!(many, (21, "… and 10 more mistakes".to_string()));
         assert_eq!(places[0].1, "`2u` is neither a number nor a product\nhelp: write 2*u");
     }
 }

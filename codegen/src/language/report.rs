@@ -9,9 +9,6 @@ use super::diagnostic::Diagnostics;
 use super::source::Source;
 use super::token::Span;
 
-/// How many mistakes are shown; the others are only counted.
-const SHOWN: usize = 20;
-
 /// How many characters of a place are underlined.
 const UNDERLINED: usize = 60;
 
@@ -50,14 +47,14 @@ impl Report {
     /// shown, as in the message of a macro that reads a file.
     pub fn message(&self) -> String {
         let mut lines = Vec::new();
-        for mistake in self.diagnostics.iter().take(SHOWN) {
+        for mistake in self.diagnostics.shown() {
             lines.push(self.line(mistake.span, &mistake.message));
             for (span, text) in &mistake.also {
                 lines.push(format!("  {}", self.line(*span, text)));
             }
             lines.extend(mistake.help.iter().map(|help| format!("  help: {help}")));
         }
-        lines.extend(self.remainder());
+        lines.extend(self.diagnostics.remainder());
         lines.join("\n")
     }
 
@@ -71,22 +68,16 @@ impl Report {
         format!("{}:{}:{}: {message}", self.source.name(), position.line, position.column)
     }
 
-    /// How many mistakes are not shown.
-    fn remainder(&self) -> Option<String> {
-        match self.diagnostics.count().saturating_sub(SHOWN) {
-            0 => None,
-            1 => Some("… and 1 more mistake".to_string()),
-            more => Some(format!("… and {more} more mistakes")),
-        }
-    }
-
     fn render(&self, renderer: &Renderer) -> String {
         let renderer = renderer.clone().term_width(WIDTH);
         let mut parts = Vec::new();
-        for mistake in self.diagnostics.iter().take(SHOWN) {
+        for mistake in self.diagnostics.shown() {
             let title = Level::ERROR.primary_title(mistake.message.as_str());
-            let mut groups =
-                vec![title.element(self.snippet(AnnotationKind::Primary, mistake.span, mistake.label.as_deref()))];
+            let mut groups = vec![title.element(self.snippet(
+                AnnotationKind::Primary,
+                mistake.span,
+                mistake.label.as_deref(),
+            ))];
             for (span, text) in &mistake.also {
                 let snippet = self.snippet(AnnotationKind::Primary, *span, None);
                 groups.push(Level::NOTE.secondary_title(text.as_str()).element(snippet));
@@ -96,7 +87,7 @@ impl Report {
             }
             parts.push(renderer.render(&groups));
         }
-        parts.extend(self.remainder());
+        parts.extend(self.diagnostics.remainder());
         parts.join("\n\n")
     }
 
@@ -111,7 +102,10 @@ impl Report {
         let (number, line) = self.source.line_at(range.start);
         let text = &self.source.text()[line.clone()];
         let place = underlined(text, range.start - line.start..range.end.min(line.end) - line.start);
-        Snippet::source(text)
+        // What is far behind the place would be read through only to be cut off.
+        let rest = &text[place.end..];
+        let end = rest.char_indices().nth(2 * WIDTH).map_or(text.len(), |(at, _)| place.end + at);
+        Snippet::source(&text[..end])
             .line_start(number)
             .path(self.source.name())
             .annotation(kind.span(place).label(label))
@@ -128,7 +122,8 @@ impl std::error::Error for Report {}
 
 /// The first characters of the place, so that the line that is shown stays short.
 fn underlined(text: &str, place: Range<usize>) -> Range<usize> {
-    let end = text[place.clone()].char_indices().nth(UNDERLINED).map_or(place.end, |(at, _)| place.start + at);
+    let end =
+        text[place.clone()].char_indices().nth(UNDERLINED).map_or(place.end, |(at, _)| place.start + at);
     place.start..end
 }
 
@@ -148,7 +143,7 @@ mod tests {
 
     #[test]
     fn a_place_is_shown_with_label_and_help() {
-        let report = parse_text("a.sweep", "sweep a {\n    domian u in 0..1;\n}\n").unwrap_err();
+        let report = parse_text("a.sweep", "lemma a {\n    domian u in 0..1;\n}\n").unwrap_err();
         let expected = "\
 error: there is no clause `domian`
  --> a.sweep:2:5

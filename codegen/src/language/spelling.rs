@@ -75,8 +75,9 @@ pub(super) fn name(word: &str, span: Span) -> (TokenKind, Option<Diagnostic>) {
 /// The name of a Greek letter, any other letter as it is.
 fn spelled_out(letter: char) -> String {
     const SMALL: [&str; 25] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu",
-        "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda",
+        "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi", "psi",
+        "omega",
     ];
     let small = letter.to_lowercase().next().unwrap_or(letter);
     let index = (small as usize).checked_sub('α' as usize);
@@ -195,7 +196,8 @@ fn escaped(rest: &mut std::str::Chars<'_>) -> Option<char> {
 /// Rust's other kinds of strings and characters: `r"…"`, `b"…"`, `'c'`.
 pub(super) fn foreign_literal(literal: &str, span: Span) -> (TokenKind, Option<Diagnostic>) {
     let quote = if literal.contains('"') { '"' } else { '\'' };
-    let body = literal.split_once(quote).and_then(|(_, rest)| rest.rsplit_once(quote)).map_or("", |(body, _)| body);
+    let body =
+        literal.split_once(quote).and_then(|(_, rest)| rest.rsplit_once(quote)).map_or("", |(body, _)| body);
     let wrong = Diagnostic::new(span, format!("`{}` is no text of this language", shortened(literal)))
         .help("a text stands in plain double quotes: \"…\"");
     (TokenKind::Str(body.to_string()), Some(wrong))
@@ -220,7 +222,9 @@ pub(super) fn unknown(character: char, span: Span) -> (Vec<TokenKind>, Diagnosti
         '≤' => (vec![TokenKind::LessEqual], "write `<=`"),
         '≥' => (vec![TokenKind::GreaterEqual], "write `>=`"),
         '−' | '–' | '—' | '‐' | '‑' => (vec![TokenKind::Minus], "write the minus sign `-`"),
-        '×' | '·' | '⋅' | '∗' | '∙' => (vec![TokenKind::Star], "write `*` for a product, `cross` or `dot` for vectors"),
+        '×' | '·' | '⋅' | '∗' | '∙' => {
+            (vec![TokenKind::Star], "write `*` for a product, `cross` or `dot` for vectors")
+        }
         '÷' | '∕' | '⁄' => (vec![TokenKind::Slash], "write `/`"),
         '…' => (vec![TokenKind::DotDot], "write `..`"),
         '∈' => (vec![TokenKind::Ident("in".into())], "write `in`"),
@@ -230,8 +234,12 @@ pub(super) fn unknown(character: char, span: Span) -> (Vec<TokenKind>, Diagnosti
         '√' => (unknown, "write `sqrt(…)`"),
         '∞' => (unknown, "domains are finite intervals, such as `0..1`"),
         '∂' => (unknown, "write `diff(R, u)`"),
-        '′' | '″' | '´' | '’' => (vec![], "write `diff(x, v)` for a derivative, and plain `\"` around a text"),
-        '“' | '”' | '„' | '«' | '»' | '‘' => (unknown, "write plain double quotes `\"` around a text"),
+        '′' | '″' | '´' | '’' => {
+            (vec![], "write `diff(x, v)` for a derivative, and plain `\"` around a text")
+        }
+        '“' | '”' | '„' | '«' | '»' | '‘' => {
+            (unknown, "write plain double quotes `\"` around a text")
+        }
         '\u{a0}' | '\u{200b}' | '\u{2009}' | '\u{202f}' | '\u{3000}' | '\u{feff}' => {
             let code = u32::from(character);
             let wrong = Diagnostic::new(span, format!("an invisible character, U+{code:04X}"));

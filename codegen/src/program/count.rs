@@ -43,14 +43,19 @@ impl Add for OperationCounts {
 
 impl fmt::Display for OperationCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kinds =
-            [(self.additions, "+"), (self.multiplications, "×"), (self.divisions, "÷"), (self.square_roots, "√")];
+        let kinds = [
+            (self.additions, "+"),
+            (self.multiplications, "×"),
+            (self.divisions, "÷"),
+            (self.square_roots, "√"),
+        ];
         let parts: Vec<String> = kinds
             .iter()
             .filter(|(count, _)| *count > 0)
             .map(|(count, sign)| format!("{count} {sign}"))
             .collect();
-        write!(f, "{}", self.total())?;
+        let plural = if self.total() == 1 { "" } else { "s" };
+        write!(f, "{} operation{plural}", self.total())?;
         if parts.is_empty() { Ok(()) } else { write!(f, " ({})", parts.join(", ")) }
     }
 }
@@ -95,9 +100,9 @@ mod tests {
         let root = program.square_root(square);
         let difference = program.subtract(v, root);
         let result = program.divide(difference, v);
-        assert_eq!(program.count(&[result], Stage::U).to_string(), "2 (1 ×, 1 √)");
-        assert_eq!(program.count(&[result], Stage::Both).to_string(), "2 (1 +, 1 ÷)");
-        assert_eq!(program.count(&[result], Stage::V).to_string(), "0");
+        assert_eq!(program.count(&[result], Stage::U).to_string(), "2 operations (1 ×, 1 √)");
+        assert_eq!(program.count(&[result], Stage::Both).to_string(), "2 operations (1 +, 1 ÷)");
+        assert_eq!(program.count(&[result], Stage::V).to_string(), "0 operations");
         assert_eq!(program.count_all(&[result]).total(), 4);
     }
 }

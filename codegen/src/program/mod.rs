@@ -435,7 +435,8 @@ mod tests {
     #[test]
     fn stages_join() {
         use Stage::{Both, Constant, U, V};
-        for (a, b, joined) in [(Constant, V, V), (V, U, Both), (U, U, U), (Both, V, Both), (Constant, Constant, Constant)]
+        for (a, b, joined) in
+            [(Constant, V, V), (V, U, Both), (U, U, U), (Both, V, Both), (Constant, Constant, Constant)]
         {
             assert_eq!(a.join(b), joined);
             assert_eq!(b.join(a), joined);

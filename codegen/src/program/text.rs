@@ -98,12 +98,12 @@ mod tests {
         let quotient = program.divide(shifted, weight);
         program.output("point", vec![quotient, v, one]);
         let expected = "\
-stage v: 1 (1 +)
+stage v: 1 operation (1 +)
   %6 = v + (-0.5)
-stage u: 2 (1 +, 1 ×)
+stage u: 2 operations (1 +, 1 ×)
   %4 = u * u
   w = 1 + %4
-stage u, v: 1 (1 ÷)
+stage u, v: 1 operation (1 ÷)
   %7 = %6 / w
 point = [%7, v, 1]
 ";

@@ -1,0 +1,463 @@
+//! Rational functions that keep their denominators as products of known factors.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::poly::{Poly, Variable};
+use crate::{Rational, budget, integer};
+
+/// A rational function: a polynomial over a product of powers of known factors.
+///
+/// Factors are kept because geometry supplies them: the weight of a profile, the parametric speed of a sweep curve.
+/// Sums use the least common multiple of the *known* factors, and only known factors are tried when a fraction is
+/// [reduced](Fraction::reduced). Sums and products do not cancel by themselves, so that a formula keeps the denominators
+/// it was written with; equality is that of rational functions all the same.
+///
+/// # Example
+/// ```
+/// use hodograph_algebra::{Fraction, Poly, Variable};
+/// let u = Fraction::from(Poly::variable(&Variable::new(0, "u")));
+/// let one = Fraction::from(Poly::one());
+/// let weight = &one + &(&u * &u);
+/// let x = &(&one - &(&u * &u)) / &weight;
+/// assert_eq!(x.to_string(), "(-u^2 + 1)/(u^2 + 1)");
+/// assert_eq!(&x + &one, &(&one + &one) / &weight);
+/// ```
+#[derive(Clone)]
+pub struct Fraction {
+    numerator: Poly,
+    /// Normalized factors that are not constant, with positive exponents, distinct, in a fixed order.
+    factors: Vec<(Poly, u32)>,
+}
+
+impl Fraction {
+    /// Zero.
+    #[must_use]
+    pub fn zero() -> Fraction {
+        Poly::zero().into()
+    }
+
+    /// One.
+    #[must_use]
+    pub fn one() -> Fraction {
+        Poly::one().into()
+    }
+
+    /// The fraction `numerator / Π factor^exponent`. Factors need not be normalized; they are not zero.
+    ///
+    /// # Panics
+    /// If a factor is zero.
+    #[must_use]
+    pub fn new(numerator: Poly, factors: impl IntoIterator<Item = (Poly, u32)>) -> Fraction {
+        let mut fraction = Fraction::from(numerator);
+        for (factor, exponent) in factors.into_iter().filter(|(_, exponent)| *exponent > 0) {
+            assert!(!factor.is_zero(), "a fraction with the denominator zero");
+            let normalized = factor.normalized();
+            // factor = unit · normalized
+            let unit = factor.leading_coefficient() * normalized.leading_coefficient().inverse();
+            fraction.numerator *= unit.inverse().pow(exponent);
+            if !normalized.is_constant() {
+                insert(&mut fraction.factors, normalized, exponent);
+            }
+        }
+        fraction
+    }
+
+    /// The numerator over [`Fraction::denominator`].
+    #[must_use]
+    pub fn numerator(&self) -> &Poly {
+        &self.numerator
+    }
+
+    /// The factors of the denominator with their exponents.
+    #[must_use]
+    pub fn factors(&self) -> &[(Poly, u32)] {
+        &self.factors
+    }
+
+    /// The denominator, multiplied out.
+    #[must_use]
+    pub fn denominator(&self) -> Poly {
+        product(&self.factors)
+    }
+
+    /// Whether it is zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The polynomial that it is, if it is one.
+    #[must_use]
+    pub fn to_poly(&self) -> Option<Poly> {
+        if self.factors.is_empty() {
+            return Some(self.numerator.clone());
+        }
+        let reduced = self.reduced();
+        reduced.factors.is_empty().then_some(reduced.numerator)
+    }
+
+    /// The number that it is, if no variable occurs in it.
+    #[must_use]
+    pub fn to_number(&self) -> Option<Poly> {
+        self.to_poly().filter(Poly::is_constant)
+    }
+
+    /// The rational number that it is, if it is one.
+    #[must_use]
+    pub fn to_rational(&self) -> Option<Rational> {
+        self.to_number().and_then(|number| number.to_rational())
+    }
+
+    /// The reciprocal; `None` for zero. The numerator becomes known factors by its squarefree decomposition, after the
+    /// factors of `known` have been taken out.
+    #[must_use]
+    pub fn reciprocal(&self, known: &[Poly]) -> Option<Fraction> {
+        if self.is_zero() {
+            return None;
+        }
+        let mut rest = self.numerator.clone();
+        let mut factors = Vec::new();
+        for factor in known {
+            let (multiplicity, quotient) = rest.take_out(factor);
+            factors.push((factor.clone(), multiplicity));
+            rest = quotient;
+        }
+        let decomposition = budget::doing("the factors of a denominator", || rest.squarefree());
+        factors.extend(decomposition.factors);
+        Some(Fraction::new(self.denominator() * decomposition.unit.inverse(), factors))
+    }
+
+    /// The quotient; `None` if `divisor` is zero.
+    #[must_use]
+    pub fn checked_div(&self, divisor: &Fraction) -> Option<Fraction> {
+        let known: Vec<Poly> = self.factors.iter().map(|(factor, _)| factor.clone()).collect();
+        Some(self * &divisor.reciprocal(&known)?)
+    }
+
+    /// `self` to the power `exponent`.
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Fraction {
+        let factors = self.factors.iter().map(|(factor, e)| (factor.clone(), e.saturating_mul(exponent)));
+        Fraction { numerator: self.numerator.pow(exponent), factors: if exponent == 0 { Vec::new() } else { factors.collect() } }
+    }
+
+    /// `self · factor`.
+    #[must_use]
+    pub fn scale(&self, factor: &Rational) -> Fraction {
+        Fraction { numerator: self.numerator.scale(factor), factors: self.factors.clone() }
+    }
+
+    /// The same rational function with every known factor cancelled as often as it divides the numerator.
+    #[must_use]
+    pub fn reduced(&self) -> Fraction {
+        if self.is_zero() {
+            return Fraction::zero();
+        }
+        let mut numerator = self.numerator.clone();
+        let mut factors = Vec::new();
+        for (factor, exponent) in &self.factors {
+            let mut left = *exponent;
+            while left > 0 {
+                let Some(quotient) = numerator.exact_div(factor) else { break };
+                numerator = quotient;
+                left -= 1;
+            }
+            if left > 0 {
+                factors.push((factor.clone(), left));
+            }
+        }
+        Fraction { numerator, factors }
+    }
+
+    /// The same rational function in lowest terms: what numerator and known factors have in common is found by gcds, so
+    /// factors may split.
+    #[must_use]
+    pub fn lowest_terms(&self) -> Fraction {
+        let reduced = self.reduced();
+        let mut numerator = reduced.numerator;
+        let mut factors: Vec<(Poly, u32)> = Vec::new();
+        for (factor, exponent) in reduced.factors {
+            let mut rest = factor.pow(exponent);
+            loop {
+                let common = numerator.gcd(&rest);
+                if common.is_constant() {
+                    break;
+                }
+                let divided = (numerator.exact_div(&common), rest.exact_div(&common));
+                let (Some(n), Some(r)) = divided else { break };
+                (numerator, rest) = (n, r);
+            }
+            if rest == factor.pow(exponent) {
+                insert(&mut factors, factor, exponent);
+            } else {
+                let decomposition = rest.squarefree();
+                numerator *= decomposition.unit.inverse();
+                for (part, multiplicity) in decomposition.factors {
+                    insert(&mut factors, part, multiplicity);
+                }
+            }
+        }
+        Fraction { numerator, factors }
+    }
+
+    /// The partial derivative by `variable`, reduced.
+    #[must_use]
+    pub fn derivative(&self, variable: &Variable) -> Fraction {
+        self.derivation(&|poly| poly.derivative(variable).into())
+    }
+
+    /// The image under a derivation `d`, which is given on polynomials: `d(n/Πf^e) = (dn·Πf − n·Σ e·df·Π others)/Πf^(e+1)`,
+    /// reduced. Only factors that are not constant for `d` enter.
+    #[must_use]
+    pub fn derivation(&self, d: &dyn Fn(&Poly) -> Fraction) -> Fraction {
+        let moving: Vec<(&Poly, u32, Fraction)> = self
+            .factors
+            .iter()
+            .map(|(factor, exponent)| (factor, *exponent, d(factor)))
+            .filter(|(_, _, derivative)| !derivative.is_zero())
+            .collect();
+        let whole: Fraction = moving.iter().map(|(factor, ..)| (*factor).clone()).product::<Poly>().into();
+        let mut numerator = &d(&self.numerator) * &whole;
+        for (index, (_, exponent, derivative)) in moving.iter().enumerate() {
+            let others = moving.iter().enumerate().filter(|(other, _)| *other != index);
+            let others: Poly = others.map(|(_, (factor, ..))| (*factor).clone()).product();
+            let term = &(derivative * &Fraction::from(&self.numerator * others)) * &integer(i64::from(*exponent));
+            numerator = &numerator - &term;
+        }
+        let denominator = Fraction {
+            numerator: Poly::one(),
+            factors: self
+                .factors
+                .iter()
+                .map(|(factor, exponent)| {
+                    let moves = moving.iter().any(|(other, ..)| *other == factor);
+                    (factor.clone(), exponent + u32::from(moves))
+                })
+                .collect(),
+        };
+        (&numerator * &denominator).reduced()
+    }
+
+    /// The rational function with fractions in place of variables; `None` where a denominator becomes zero.
+    #[must_use]
+    pub fn substitute(&self, values: &BTreeMap<Variable, Fraction>) -> Option<Fraction> {
+        let mut result = substitute_poly(&self.numerator, values);
+        for (factor, exponent) in &self.factors {
+            let value = substitute_poly(factor, values);
+            result = result.checked_div(&value.pow(*exponent))?;
+        }
+        Some(result)
+    }
+
+    /// The variables that occur, in their order.
+    #[must_use]
+    pub fn occurring_variables(&self) -> Vec<Variable> {
+        let mut all = self.numerator.occurring_variables();
+        for (factor, _) in &self.factors {
+            all.extend(factor.occurring_variables());
+        }
+        all.sort();
+        all.dedup();
+        all
+    }
+
+    /// The same rational function with `map` applied to the numerator and to every factor; `map` is a homomorphism that
+    /// maps no factor to zero.
+    #[must_use]
+    pub fn map(&self, mut map: impl FnMut(&Poly) -> Poly) -> Fraction {
+        let factors: Vec<(Poly, u32)> = self.factors.iter().map(|(factor, e)| (map(factor), *e)).collect();
+        Fraction::new(map(&self.numerator), factors)
+    }
+
+    /// The factors of the least common denominator of `fractions`.
+    #[must_use]
+    pub fn common_denominator<'a>(fractions: impl IntoIterator<Item = &'a Fraction>) -> Vec<(Poly, u32)> {
+        let mut common: Vec<(Poly, u32)> = Vec::new();
+        for (factor, exponent) in fractions.into_iter().flat_map(|fraction| &fraction.factors) {
+            match common.iter_mut().find(|(other, _)| other == factor) {
+                Some((_, most)) => *most = (*most).max(*exponent),
+                None => insert(&mut common, factor.clone(), *exponent),
+            }
+        }
+        common
+    }
+
+    /// The numerator of `self` over the denominator `Π common`, whose factors include those of `self`.
+    #[must_use]
+    pub fn numerator_over(&self, common: &[(Poly, u32)]) -> Poly {
+        let mut numerator = self.numerator.clone();
+        for (factor, exponent) in common {
+            let own = self.factors.iter().find(|(other, _)| other == factor).map_or(0, |(_, own)| *own);
+            if *exponent > own {
+                numerator *= factor.pow(exponent - own);
+            }
+        }
+        numerator
+    }
+}
+
+fn substitute_poly(poly: &Poly, values: &BTreeMap<Variable, Fraction>) -> Fraction {
+    let polynomial: Option<BTreeMap<Variable, Poly>> = values
+        .iter()
+        .map(|(variable, value)| value.factors.is_empty().then(|| (variable.clone(), value.numerator.clone())))
+        .collect();
+    if let Some(polynomial) = polynomial {
+        return poly.evaluate(&polynomial).into();
+    }
+    // All monomials over one common denominator, by Horner's rule in each variable.
+    let Some((variable, value)) = values.iter().find(|(variable, _)| poly.contains(variable)) else {
+        return poly.clone().into();
+    };
+    // The rest is substituted into the coefficients first, so that what is put in is never substituted again.
+    let rest: BTreeMap<Variable, Fraction> =
+        values.iter().filter(|(other, _)| *other != variable).map(|(v, f)| (v.clone(), f.clone())).collect();
+    let coefficients = poly.coefficients(variable);
+    coefficients
+        .iter()
+        .rev()
+        .fold(Fraction::zero(), |sum, coefficient| &(&sum * value) + &substitute_poly(coefficient, &rest))
+}
+
+fn product(factors: &[(Poly, u32)]) -> Poly {
+    factors.iter().map(|(factor, exponent)| factor.pow(*exponent)).product()
+}
+
+/// Adds `factor^exponent` to an ordered list.
+fn insert(factors: &mut Vec<(Poly, u32)>, factor: Poly, exponent: u32) {
+    if let Some((_, own)) = factors.iter_mut().find(|(other, _)| *other == factor) {
+        *own += exponent;
+        return;
+    }
+    // The order decides how a denominator prints: short factors first, then as text.
+    let key = |poly: &Poly| (poly.terms().len(), poly.to_string());
+    let place = factors.partition_point(|(other, _)| key(other) < key(&factor));
+    factors.insert(place, (factor, exponent));
+}
+
+impl From<Poly> for Fraction {
+    fn from(numerator: Poly) -> Fraction {
+        Fraction { numerator, factors: Vec::new() }
+    }
+}
+
+impl From<Rational> for Fraction {
+    fn from(value: Rational) -> Fraction {
+        Poly::constant(value).into()
+    }
+}
+
+fn combine(a: &Fraction, b: &Fraction, sign: i64) -> Fraction {
+    if b.is_zero() {
+        return a.clone();
+    }
+    if a.is_zero() {
+        return b.scale(&integer(sign));
+    }
+    let common = Fraction::common_denominator([a, b]);
+    let numerator = a.numerator_over(&common) + b.numerator_over(&common).scale(&integer(sign));
+    if numerator.is_zero() {
+        return Fraction::zero();
+    }
+    Fraction { numerator, factors: common }
+}
+
+impl Add for &Fraction {
+    type Output = Fraction;
+
+    fn add(self, other: &Fraction) -> Fraction {
+        combine(self, other, 1)
+    }
+}
+
+impl Sub for &Fraction {
+    type Output = Fraction;
+
+    fn sub(self, other: &Fraction) -> Fraction {
+        combine(self, other, -1)
+    }
+}
+
+impl Mul for &Fraction {
+    type Output = Fraction;
+
+    fn mul(self, other: &Fraction) -> Fraction {
+        let mut factors = self.factors.clone();
+        for (factor, exponent) in &other.factors {
+            insert(&mut factors, factor.clone(), *exponent);
+        }
+        let numerator = &self.numerator * &other.numerator;
+        if numerator.is_zero() {
+            return Fraction::zero();
+        }
+        Fraction { numerator, factors }
+    }
+}
+
+impl Mul<&Rational> for &Fraction {
+    type Output = Fraction;
+
+    fn mul(self, factor: &Rational) -> Fraction {
+        self.scale(factor)
+    }
+}
+
+impl std::ops::Div for &Fraction {
+    type Output = Fraction;
+
+    /// # Panics
+    /// If `divisor` is zero; see [`Fraction::checked_div`].
+    fn div(self, divisor: &Fraction) -> Fraction {
+        match self.checked_div(divisor) {
+            Some(quotient) => quotient,
+            None => panic!("division of a rational function by zero"),
+        }
+    }
+}
+
+impl Neg for &Fraction {
+    type Output = Fraction;
+
+    fn neg(self) -> Fraction {
+        self.scale(&integer(-1))
+    }
+}
+
+impl PartialEq for Fraction {
+    fn eq(&self, other: &Fraction) -> bool {
+        (self - other).is_zero()
+    }
+}
+
+impl Eq for Fraction {}
+
+impl fmt::Display for Fraction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.factors.is_empty() {
+            return self.numerator.fmt(f);
+        }
+        if self.numerator.terms().len() > 1 {
+            write!(f, "({})/", self.numerator)?;
+        } else {
+            write!(f, "{}/", self.numerator)?;
+        }
+        let power = |exponent: u32| if exponent > 1 { format!("^{exponent}") } else { String::new() };
+        if let [(factor, exponent)] = self.factors.as_slice() {
+            return if factor.terms().len() > 1 {
+                write!(f, "({factor}){}", power(*exponent))
+            } else {
+                write!(f, "{factor}{}", power(*exponent))
+            };
+        }
+        let parts: Vec<String> =
+            self.factors.iter().map(|(factor, exponent)| format!("({factor}){}", power(*exponent))).collect();
+        write!(f, "({})", parts.join("*"))
+    }
+}
+
+impl fmt::Debug for Fraction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

@@ -1,0 +1,290 @@
+//! Rational curves, and what their parametric speed makes of them.
+
+use std::fmt;
+use std::rc::Rc;
+
+use super::calculus::Calculus;
+use super::sample::sample_sign;
+use super::vector::Vector;
+use crate::{Fraction, Interval, Poly, Variable, ratio};
+
+/// A rational curve with its derivative properties, where these are rational.
+///
+/// Any curve whose parametric speed is a rational function offers its unit tangent and normal, curvature, offsets,
+/// involute and evolute; whether it is one is decided by a perfect-square test on `|s'|²`, however the curve was made.
+///
+/// Planar curves lie in a coordinate plane; `e` is the unit vector of the third axis (**k** for the xy-plane, **j** for
+/// the xz-plane, **i** for the yz-plane). The normal is `n = t × e` (FN (3)): it points to the right of the tangent, away
+/// from the center of curvature where the curvature is positive.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    parameter: Variable,
+    position: Vector,
+    hodograph: Vector,
+    speed: Result<Fraction, CurveError>,
+    arclength: Option<Fraction>,
+    domain: Option<Interval>,
+    calculus: Rc<Calculus>,
+}
+
+/// Why a curve does not have a property.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CurveError {
+    /// The curve is a point: its derivative is zero.
+    Point,
+    /// `|s'|²` is not the square of a rational function.
+    IrrationalSpeed {
+        /// `|s'|²`.
+        squared: Fraction,
+        /// The factor of it that is no square; 1 if only the sign is wrong.
+        odd: Poly,
+    },
+    /// The curve lies in none of the coordinate planes, so it has no planar normal.
+    NotPlanar,
+    /// The integral of the parametric speed is not known to be a rational function.
+    ArcLength {
+        /// The parametric speed.
+        speed: Fraction,
+    },
+    /// The curvature is zero everywhere: a straight line has no evolute.
+    Straight,
+    /// No domain is stated for the parameter, so that a property at its end is not defined.
+    NoDomain,
+}
+
+impl fmt::Display for CurveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CurveError::Point => f.write_str("the curve is a single point: its derivative is zero"),
+            CurveError::IrrationalSpeed { squared, odd } => {
+                write!(f, "the parametric speed is not rational: |s'|^2 = {squared}")?;
+                if odd.is_one() { Ok(()) } else { write!(f, ", in which {odd} is not a square") }
+            }
+            CurveError::NotPlanar => f.write_str("the curve lies in none of the coordinate planes"),
+            CurveError::ArcLength { speed } => {
+                write!(f, "no rational arc length is known: the parametric speed {speed} is not a polynomial")
+            }
+            CurveError::Straight => f.write_str("the curvature is zero everywhere, so there is no evolute"),
+            CurveError::NoDomain => f.write_str("no domain is stated for the curve's parameter"),
+        }
+    }
+}
+
+impl std::error::Error for CurveError {}
+
+/// What is known of a curve's parametric speed before it is computed.
+#[derive(Clone, Debug, Default)]
+pub struct KnownProperties {
+    /// A rational function whose square is `|s'|²`; it is checked.
+    pub speed: Option<Fraction>,
+    /// The arc length from the start, as a symbol of the calculus.
+    pub arclength: Option<Fraction>,
+}
+
+impl Curve {
+    /// The curve `position` over the closed interval `domain` of `parameter` (from 0 on if there is none).
+    ///
+    /// # Errors
+    /// None here: a property that the curve does not have is reported when it is asked for.
+    #[must_use]
+    pub fn new(
+        parameter: &Variable,
+        position: Vector,
+        domain: Option<Interval>,
+        known: KnownProperties,
+        calculus: Rc<Calculus>,
+    ) -> Curve {
+        let hodograph = calculus.vector_derivative(&position, parameter);
+        let squared = hodograph.norm2().reduced();
+        let speed = match known.speed.filter(|speed| &(speed * speed) == &squared) {
+            Some(speed) => Ok(speed),
+            None => rational_root(&squared),
+        };
+        let speed = speed.map(|speed| {
+            let interval = domain.clone().unwrap_or_else(Interval::unit);
+            let negative = sample_sign(&speed, parameter, &interval).is_lt();
+            if negative { -&speed } else { speed }
+        });
+        Curve {
+            parameter: parameter.clone(),
+            position,
+            hodograph,
+            speed,
+            arclength: known.arclength,
+            domain,
+            calculus,
+        }
+    }
+
+    /// The parameter.
+    #[must_use]
+    pub fn parameter(&self) -> &Variable {
+        &self.parameter
+    }
+
+    /// The position vector.
+    #[must_use]
+    pub fn position(&self) -> &Vector {
+        &self.position
+    }
+
+    /// The hodograph: the derivative by the parameter.
+    #[must_use]
+    pub fn hodograph(&self) -> &Vector {
+        &self.hodograph
+    }
+
+    /// The parametric speed `σ = |s'|` (FN (2)), positive at the beginning of the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Point`], [`CurveError::IrrationalSpeed`].
+    pub fn speed(&self) -> Result<Fraction, CurveError> {
+        self.speed.clone()
+    }
+
+    /// The unit tangent `t = s'/σ` (FN (3)), with σ as its denominator.
+    ///
+    /// # Errors
+    /// As for [`Curve::speed`].
+    pub fn tangent(&self) -> Result<Vector, CurveError> {
+        let speed = self.speed()?;
+        let known: Vec<Poly> = speed.numerator().squarefree().factors.into_iter().map(|(f, _)| f).collect();
+        let reciprocal = speed.reciprocal(&known).ok_or(CurveError::Point)?;
+        Ok(self.hodograph.scale(&reciprocal))
+    }
+
+    /// The axis orthogonal to the coordinate plane in which the curve lies; the xy-plane comes first.
+    ///
+    /// # Errors
+    /// [`CurveError::NotPlanar`].
+    pub fn axis(&self) -> Result<Vector, CurveError> {
+        let [x, y, z] = self.position.components();
+        let axis = [(z, 2), (y, 1), (x, 0)].into_iter().find(|(component, _)| component.is_zero());
+        axis.map(|(_, axis)| Vector::unit(axis)).ok_or(CurveError::NotPlanar)
+    }
+
+    /// The unit normal `n = t × e` (FN (3)).
+    ///
+    /// # Errors
+    /// As for [`Curve::speed`], and [`CurveError::NotPlanar`].
+    pub fn normal(&self) -> Result<Vector, CurveError> {
+        Ok(self.tangent()?.cross(&self.axis()?))
+    }
+
+    /// The signed curvature `κ = (s' × s'')·e / σ³` (FN (5)).
+    ///
+    /// # Errors
+    /// As for [`Curve::normal`].
+    pub fn curvature(&self) -> Result<Fraction, CurveError> {
+        let second = self.calculus.vector_derivative(&self.hodograph, &self.parameter);
+        let turning = self.hodograph.cross(&second).dot(&self.axis()?).reduced();
+        let cube = self.speed()?.pow(3);
+        Ok(turning.checked_div(&cube).ok_or(CurveError::Point)?.reduced())
+    }
+
+    /// The arc length `∫σ` from the beginning of the domain (FN (6)).
+    ///
+    /// # Errors
+    /// As for [`Curve::speed`], and [`CurveError::ArcLength`] if σ is not a polynomial in the parameter.
+    pub fn arclength(&self) -> Result<Fraction, CurveError> {
+        if let Some(known) = &self.arclength {
+            return Ok(known.clone());
+        }
+        let speed = self.speed()?.reduced();
+        if speed.factors().iter().any(|(factor, _)| factor.contains(&self.parameter)) {
+            return Err(CurveError::ArcLength { speed });
+        }
+        let integral = speed.numerator().integral(&self.parameter);
+        let start = self.domain.as_ref().map_or_else(Poly::zero, |domain| domain.lower().clone());
+        let from_start = &integral - integral.substitute(&self.parameter, &start);
+        Ok(Fraction::new(from_start, speed.factors().iter().cloned()))
+    }
+
+    /// The total arc length over the domain.
+    ///
+    /// # Errors
+    /// As for [`Curve::arclength`], and [`CurveError::NoDomain`].
+    pub fn length(&self) -> Result<Fraction, CurveError> {
+        let end = self.domain.as_ref().ok_or(CurveError::NoDomain)?.upper().clone();
+        let values = [(self.parameter.clone(), Fraction::from(end))].into();
+        self.arclength()?.substitute(&values).ok_or(CurveError::Point)
+    }
+
+    /// The involute `c = s − s(v)·t` (FN (24)).
+    ///
+    /// # Errors
+    /// As for [`Curve::arclength`].
+    pub fn involute(&self) -> Result<Vector, CurveError> {
+        Ok(&self.position - &self.tangent()?.scale(&self.arclength()?))
+    }
+
+    /// The evolute `e = s − n/κ` (FN (28)).
+    ///
+    /// # Errors
+    /// As for [`Curve::curvature`], and [`CurveError::Straight`].
+    pub fn evolute(&self) -> Result<Vector, CurveError> {
+        let radius = self.curvature()?.reciprocal(&[]).ok_or(CurveError::Straight)?;
+        Ok(&self.position - &self.normal()?.scale(&radius).reduced())
+    }
+
+    /// The offset curve `s + d·n` at the signed distance `d` (FN (8)).
+    ///
+    /// # Errors
+    /// As for [`Curve::normal`].
+    pub fn offset(&self, distance: &Fraction) -> Result<Vector, CurveError> {
+        Ok(&self.position + &self.normal()?.scale(distance))
+    }
+}
+
+/// The square root of a rational function, if it is rational over the real numbers; a radical may be adjoined.
+///
+/// # Errors
+/// [`CurveError::Point`] for zero, else [`CurveError::IrrationalSpeed`].
+pub fn rational_root(squared: &Fraction) -> Result<Fraction, CurveError> {
+    if squared.is_zero() {
+        return Err(CurveError::Point);
+    }
+    // √(n/Πf^e) = √(n·Πf)/Πf^((e+1)/2), the product over the factors of odd exponent.
+    let odd_factors = squared.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let numerator = odd_factors.fold(squared.numerator().clone(), |product, (factor, _)| product * factor);
+    let split = numerator.square_split();
+    let irrational = || CurveError::IrrationalSpeed { squared: squared.clone(), odd: split.odd.clone() };
+    if !split.is_square() {
+        return Err(irrational());
+    }
+    let unit = split.unit.sqrt().ok_or_else(irrational)?;
+    let factors = squared.factors().iter().map(|(factor, exponent)| (factor.clone(), exponent.div_ceil(2)));
+    Ok(Fraction::new(&split.root * unit, factors))
+}
+
+/// The general regular planar curve in the xy-plane, in its moving frame: parametric speed `sigma` and curvature `kappa`
+/// are unknown functions of the parameter.
+///
+/// The tangent is `((1 − m²)/(1 + m²), 2m/(1 + m²))` with `m` the tangent of half its angle, so that `m' = σκ(1 + m²)/2`;
+/// position and arc length are symbols with `s' = σt` and `s' = σ`. An identity of rational functions that holds for
+/// these symbols holds for every regular curve (FN (4)).
+pub fn moving_frame_curve(
+    name: &str,
+    parameter: &Variable,
+    sigma: &Fraction,
+    kappa: &Fraction,
+    calculus: &mut Calculus,
+) -> (Vector, KnownProperties) {
+    let half_angle = Variable::new(Variable::SYMBOL, &format!("{name}_m"));
+    let m = Fraction::from(Poly::variable(&half_angle));
+    let weight = Poly::variable(&half_angle).pow(2) + Poly::one();
+    let turning = &(&(sigma * kappa) * &Fraction::from(weight.clone())) * &ratio(1, 2);
+    calculus.symbol_with_derivative(half_angle.name(), parameter, turning);
+    let over_weight = Fraction::new(Poly::one(), [(weight, 1)]);
+    let cosine = &(&Fraction::one() - &(&m * &m)) * &over_weight;
+    let sine = &(&m + &m) * &over_weight;
+    let mut coordinate = |suffix: &str, derivative: Fraction| {
+        Fraction::from(calculus.symbol_with_derivative(&format!("{name}_{suffix}"), parameter, derivative))
+    };
+    let x = coordinate("x", sigma * &cosine);
+    let y = coordinate("y", sigma * &sine);
+    let arclength = coordinate("arclength", sigma.clone());
+    let known = KnownProperties { speed: Some(sigma.clone()), arclength: Some(arclength) };
+    (Vector::new(x, y, Fraction::zero()), known)
+}

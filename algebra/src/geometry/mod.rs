@@ -1,0 +1,9 @@
+//! Curves and surfaces.
+
+pub(crate) mod calculus;
+pub(crate) mod curve;
+pub(crate) mod hermite;
+pub(crate) mod preimage;
+pub(crate) mod rotation;
+pub(crate) mod sample;
+pub(crate) mod vector;

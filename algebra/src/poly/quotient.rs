@@ -1,0 +1,136 @@
+//! Exact quotients of large polynomials, by way of primes.
+
+use std::collections::BTreeMap;
+
+use num_traits::{Signed, Zero};
+
+use super::images::Frame;
+use super::ring::Monomial;
+use super::{Poly, Rational};
+use crate::Int;
+use crate::modular::field::PrimeField;
+use crate::modular::lift::Chinese;
+use crate::modular::multivariate::Multivariate;
+
+/// The quotient of polynomials, if `divisor`, which is not zero, divides.
+///
+/// The images modulo primes, under all homomorphisms of the number field, are divided and lifted. A remainder modulo one
+/// prime that keeps the leading coefficient of the divisor is a proof that it does not divide. Over the rationals the
+/// quotient is certified by its size: the product with the divisor is congruent to the dividend modulo a number
+/// larger than the difference can be. Over a number field it is multiplied out. Complexity: for each prime and
+/// homomorphism one product and one step in a heap for each pair of a term of the quotient and one of the divisor.
+pub(crate) fn modular_quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
+    if dividend.is_zero() {
+        return Some(Poly::zero());
+    }
+    let (a, b) = Poly::unify(dividend, divisor);
+    let degree =
+        |poly: &Poly, i: usize| poly.terms.iter().map(|term| poly.ring.exponent(term.monomial, i)).max();
+    let positions: Vec<usize> = (0..a.ring.variables().len()).filter(|&i| degree(&a, i) > Some(0)).collect();
+    if (0..a.ring.variables().len()).any(|i| degree(&b, i) > degree(&a, i)) {
+        return None;
+    }
+    let degrees = |poly: &Poly| positions.iter().filter_map(|&i| degree(poly, i)).collect::<Vec<u32>>();
+    let most = degrees(&a);
+    let bounds: Vec<u32> = most.iter().zip(degrees(&b)).map(|(&a, b)| a - b).collect();
+    let frame = Frame::new([&a, &b], positions, &most);
+    let (a_terms, b_terms) = (frame.terms(&a), frame.terms(&b));
+    let content = &a.content / &b.content;
+    let mut fields = PrimeField::sequence();
+    let mut known: Chinese<(u128, usize)> = Chinese::new();
+    loop {
+        let splitting = frame.splitting(&mut fields);
+        let (a_images, b_images) = (a_terms.images(&splitting), b_terms.images(&splitting));
+        if b_images.iter().any(|image| image.leading_word() != b_terms.leading_word()) {
+            continue;
+        }
+        let divide = |(a, b): (&Multivariate, &Multivariate)| {
+            a.quotient(splitting.field(), frame.layout(), b, &bounds)
+        };
+        let images = a_images.iter().zip(&b_images).map(divide).collect::<Option<Vec<Multivariate>>>()?;
+        known.absorb(splitting.field(), &splitting.lift_coefficients(&images));
+        let build = |values: BTreeMap<(u128, usize), Rational>| {
+            let terms = values.into_iter().map(|((word, index), value)| (frame.monomial(word, index), value));
+            Poly::from_rational_terms(a.ring.clone(), terms.collect::<Vec<(Monomial, Rational)>>())
+        };
+        if frame.is_rational() {
+            // Primitive integer polynomials have an integer quotient, by Gauss's lemma.
+            let values = known.symmetric();
+            let largest = |values: &mut dyn Iterator<Item = Int>| {
+                values.fold(Int::zero(), |most, value| most.max(value.abs()))
+            };
+            let sizes =
+                [&a, &b].map(|poly| largest(&mut poly.terms.iter().map(|term| term.coefficient.clone())));
+            let count = Int::from(values.len().min(b.terms.len()) as u64);
+            if &sizes[0] + count * &sizes[1] * largest(&mut values.values().cloned()) < *known.modulus() {
+                let rational = values.into_iter().map(|(key, value)| (key, Rational::from(value)));
+                return Some(build(rational.collect()).scale(&content));
+            }
+        } else if let Some(values) = known.reconstruct() {
+            let quotient = build(values.into_iter().collect());
+            if &quotient * b.primitive() == a.primitive() {
+                return Some(quotient.scale(&content));
+            }
+        }
+    }
+}
+
+/// How many products of terms make it worth while to go by way of primes, over a number field.
+const MODULAR_FROM: usize = 500;
+
+/// The quotient, if `divisor`, which is not zero, divides, in the way that suits the size.
+pub(crate) fn quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
+    let products = dividend.terms.len().saturating_sub(divisor.terms.len() - 1) * divisor.terms.len();
+    let rational =
+        dividend.ring.field().generators().is_empty() && divisor.ring.field().generators().is_empty();
+    if rational || products < MODULAR_FROM || divisor.is_constant() {
+        dividend.exact_div(divisor)
+    } else {
+        modular_quotient(dividend, divisor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Variable, integer, ratio};
+
+    fn operands() -> [Poly; 3] {
+        let [u, v, a] = ["u", "v", "a"].map(|name| Poly::variable(&Variable::new(0, name)));
+        let large = Poly::integer(10).pow(30) + Poly::constant(ratio(1, 3));
+        [
+            (&u * &v - &a + Poly::integer(2)).pow(3) * &large,
+            (&u * &a * Poly::integer(7) + &v * &v - Poly::constant(ratio(5, 2))).pow(2),
+            u + v.pow(3) * &a * &large - Poly::one(),
+        ]
+    }
+
+    fn check(factors: &[Poly]) {
+        for a in factors {
+            for b in factors {
+                let product = a * b;
+                assert_eq!(modular_quotient(&product, b), product.exact_div(b));
+                assert_eq!(modular_quotient(&product, b).as_ref(), Some(a));
+                assert_eq!(modular_quotient(&(&product + Poly::one()), b), None);
+                assert_eq!(modular_quotient(a, &product), None);
+            }
+        }
+    }
+
+    #[test]
+    fn agrees_with_the_division_of_terms_over_the_rationals() {
+        check(&operands());
+        assert_eq!(modular_quotient(&Poly::zero(), &operands()[0]), Some(Poly::zero()));
+    }
+
+    #[test]
+    fn agrees_with_the_division_of_terms_over_a_number_field() {
+        let root = Poly::sqrt_of(&integer(2));
+        let theta = (Poly::integer(110) + &root * Poly::integer(100)).sqrt().expect("a positive number");
+        let [a, b, c] = operands();
+        check(&[&a * &root + &b, &b + &c * &theta, &c * (&root - Poly::integer(1)) + &theta * &a]);
+        // (1 + √5)/2 is integral: quotients of primitive polynomials need not have integer coefficients.
+        let golden = (Poly::sqrt_of(&integer(5)) + Poly::one()).scale(&ratio(1, 2));
+        check(&[&a + &b * &golden, &c * &golden + Poly::integer(3)]);
+    }
+}

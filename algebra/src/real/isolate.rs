@@ -1,0 +1,148 @@
+//! Isolation of the real roots of squarefree polynomials on rational intervals.
+
+use std::cmp::Ordering;
+
+use num_traits::{One, Zero};
+
+use super::bernstein::{Bernstein, variations};
+use super::interval::Interval;
+use super::net::Net;
+use crate::{Int, Poly, Rational, Variable, budget, ratio};
+
+/// A place where a squarefree polynomial has exactly one root.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// The root itself.
+    Point(Rational),
+    /// An open interval, at whose ends the polynomial does not vanish.
+    Open(Rational, Rational),
+}
+
+/// The places of all roots of the squarefree `poly` in the closed interval from `lower` to `upper`, ascending and
+/// disjoint.
+///
+/// Bisection, decided by the sign variations of the Bernstein coefficients: none means no root inside, one means one
+/// (Mourrain, Rouillier and Roy, *The Bernstein basis and real root isolation*, 2005). It ends because the roots are
+/// simple. Complexity: `O(n²)` sums of integers for each bisection.
+pub(crate) fn isolate(poly: &Poly, variable: &Variable, lower: &Rational, upper: &Rational) -> Vec<Place> {
+    let mut places = Vec::new();
+    let ends = Interval::new(Poly::constant(lower.clone()), Poly::constant(upper.clone()));
+    let Some(interval) = ends else {
+        // A single point.
+        if lower == upper && sign_at(poly, variable, lower).is_eq() {
+            places.push(Place::Point(lower.clone()));
+        }
+        return places;
+    };
+    let Some(net) = Net::new(&Bernstein::new(poly, &[(variable.clone(), interval)])) else { return places };
+    if net.corner_sign(&[false]).is_eq() {
+        places.push(Place::Point(lower.clone()));
+    }
+    let root_at_upper = net.corner_sign(&[true]).is_eq();
+    let mut stack = vec![(net, lower.clone(), upper.clone(), false)];
+    while let Some((net, lower, upper, root_at_lower)) = stack.pop() {
+        if root_at_lower {
+            places.push(Place::Point(lower.clone()));
+        }
+        let (at_lower, at_upper) = (net.corner_sign(&[false]), net.corner_sign(&[true]));
+        match variations(net.signs()) {
+            0 => {}
+            1 if at_lower.is_ne() && at_upper.is_ne() => places.push(Place::Open(lower, upper)),
+            _ => {
+                let middle = (&lower + &upper) * ratio(1, 2);
+                let (below, above) = net.halves(0);
+                let root_at_middle = above.corner_sign(&[false]).is_eq();
+                stack.push((above, middle.clone(), upper, root_at_middle));
+                stack.push((below, lower, middle, false));
+            }
+        }
+    }
+    if root_at_upper {
+        places.push(Place::Point(upper.clone()));
+    }
+    places
+}
+
+/// Halves an open interval at whose ends `poly` does not vanish and inside which it has one simple root; `rising` tells
+/// whether it is negative at the lower end.
+pub(crate) fn bisect(
+    poly: &Poly,
+    variable: &Variable,
+    lower: &Rational,
+    upper: &Rational,
+    rising: bool,
+) -> Place {
+    let middle = (lower + upper) * ratio(1, 2);
+    match (sign_at(poly, variable, &middle), rising) {
+        (Ordering::Equal, _) => Place::Point(middle),
+        (Ordering::Less, true) | (Ordering::Greater, false) => Place::Open(middle, upper.clone()),
+        _ => Place::Open(lower.clone(), middle),
+    }
+}
+
+/// The sign of a polynomial in one variable at a rational point.
+pub(crate) fn sign_at(poly: &Poly, variable: &Variable, value: &Rational) -> Ordering {
+    poly.at(&[(variable, value)]).sign()
+}
+
+/// A power of two that exceeds the absolute values of all real roots of a polynomial of positive degree: at least
+/// `2·max |aₙ₋ₖ/aₙ|^(1/k)` (Fujiwara, *Über die obere Schranke des absoluten Betrages der Wurzeln einer algebraischen
+/// Gleichung*, 1916).
+pub(crate) fn root_bound(poly: &Poly, variable: &Variable) -> Rational {
+    let coefficients = poly.coefficients(variable);
+    let Some((leading, lower)) = coefficients.split_last() else { return Rational::one() };
+    let inverse = leading.inverse();
+    let exponents = lower.iter().rev().zip(1_i64..).filter(|(coefficient, _)| !coefficient.is_zero());
+    let exponent = exponents
+        .map(|(coefficient, k)| {
+            let quotient = (coefficient * &inverse).enclosure(8);
+            let bits = log2_bound(quotient.lower()).max(log2_bound(quotient.upper()));
+            -(-bits).div_euclid(k) + 1
+        })
+        .max()
+        .unwrap_or(0);
+    let power = Int::ONE.shl(exponent.unsigned_abs());
+    budget::spend(exponent.unsigned_abs());
+    if exponent < 0 { Rational::new(Int::ONE, power) } else { power.into() }
+}
+
+/// An integer `e` with `|value| < 2^e`, and a very negative one for zero.
+fn log2_bound(value: &Rational) -> i64 {
+    if value.is_zero() {
+        return -(1 << 30);
+    }
+    let bits = |value: &Int| i64::try_from(value.bits()).unwrap_or(i64::MAX / 4);
+    bits(value.numer()) - bits(value.denom()) + 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integer;
+
+    #[test]
+    fn roots_at_the_ends_and_at_bisection_points_count_once() {
+        let u = Variable::new(0, "u");
+        let x = Poly::variable(&u);
+        let roots = [ratio(0, 1), ratio(1, 4), ratio(1, 2), ratio(1, 3), ratio(1, 1)];
+        let poly: Poly = roots.iter().map(|root| &x - Poly::constant(root.clone())).product();
+        let places = isolate(&poly, &u, &integer(0), &integer(1));
+        assert_eq!(places.len(), 5);
+        assert_eq!(places[0], Place::Point(integer(0)));
+        assert_eq!(places[1], Place::Point(ratio(1, 4)));
+        assert!(matches!(&places[2], Place::Open(a, b) if *a < ratio(1, 3) && *b > ratio(1, 3)));
+        assert_eq!(places[4], Place::Point(integer(1)));
+        assert_eq!(isolate(&poly, &u, &integer(1), &integer(1)), [Place::Point(integer(1))]);
+    }
+
+    #[test]
+    fn bounds_exceed_all_roots() {
+        let u = Variable::new(0, "u");
+        let x = Poly::variable(&u);
+        let poly = (&x - Poly::integer(1000)) * (&x + Poly::integer(3));
+        assert!(root_bound(&poly, &u) > integer(1000));
+        assert!(root_bound(&x.pow(2), &u) > integer(0));
+        let small = &x - Poly::constant(ratio(1, 1000));
+        assert!(root_bound(&small, &u) > ratio(1, 1000) && root_bound(&small, &u) < ratio(1, 100));
+    }
+}

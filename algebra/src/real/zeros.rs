@@ -1,0 +1,176 @@
+//! Where a polynomial vanishes on a box.
+
+use std::fmt;
+
+use super::interval::Interval;
+use super::roots::RealRoot;
+use super::subdivision::{self, Decision, Point};
+use crate::{Poly, Variable};
+
+/// The zeros of a polynomial on a closed box, by its factors.
+///
+/// Factors in one variable vanish on lines `u = c`, given by their exact roots. The others are described one by one.
+#[derive(Clone, Debug, Default)]
+pub struct ZeroSet {
+    /// The lines `variable = root` of the factors in one variable, their multiplicities included.
+    pub lines: Vec<RealRoot>,
+    /// Isolated zeros of the other factors.
+    pub points: Vec<Point>,
+    /// The factors in several variables that have, or may have, further zeros on the box.
+    pub curves: Vec<ZeroCurve>,
+}
+
+/// A squarefree factor in several variables that vanishes on a box, or may do so.
+#[derive(Clone, Debug)]
+pub struct ZeroCurve {
+    /// The factor, normalized.
+    pub polynomial: Poly,
+    /// How often it divides.
+    pub multiplicity: u32,
+    /// Points of the box at which it is positive and negative, so that a curve of zeros separates them; `None` if it is
+    /// not known whether there are any zeros inside.
+    pub crossing: Option<(Point, Point)>,
+    /// Its zeros on the four edges of a box in two variables.
+    pub edges: Vec<EdgeZeros>,
+}
+
+/// The zeros of a polynomial in two variables on one edge of a box.
+#[derive(Clone, Debug)]
+pub struct EdgeZeros {
+    /// The variable that is constant on the edge.
+    pub fixed: Variable,
+    /// Its value.
+    pub value: Poly,
+    /// The other variable at the zeros.
+    pub roots: Vec<RealRoot>,
+}
+
+impl ZeroSet {
+    /// Whether there are no zeros on the box. This is a proof if true; if false, a curve may turn out to have none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty() && self.points.is_empty() && self.curves.is_empty()
+    }
+
+    /// Whether all zeros are known: those of each curve are where it says.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.curves.iter().all(|curve| curve.crossing.is_some())
+    }
+
+    /// A point of the box `domain` where the polynomial vanishes, if one is known as numbers.
+    #[must_use]
+    pub fn witness(&self, domain: &[(Variable, Interval)]) -> Option<Point> {
+        let from_line = self.lines.iter().find_map(|root| Some((root.variable().clone(), root.exact()?.clone())));
+        let on_edge = |curve: &ZeroCurve| {
+            curve.edges.iter().find_map(|edge| {
+                let root = edge.roots.iter().find(|root| root.exact().is_some())?;
+                let other = (root.variable().clone(), root.exact()?.clone());
+                Some(Point::from([(edge.fixed.clone(), edge.value.clone()), other]))
+            })
+        };
+        let mut point = from_line
+            .map(|line| Point::from([line]))
+            .or_else(|| self.points.first().cloned())
+            .or_else(|| self.curves.iter().find_map(on_edge))?;
+        for (variable, interval) in domain {
+            point.entry(variable.clone()).or_insert_with(|| interval.lower().clone());
+        }
+        Some(point)
+    }
+}
+
+impl fmt::Display for ZeroSet {
+    /// Lines, points and curves, separated by semicolons, such as `u = 0; (u, v) = (1, 1/2); u^2 - v = 0`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines = self.lines.iter().map(|root| format!("{} = {root}", root.variable()));
+        let points = self.points.iter().map(|point| {
+            let names: Vec<&str> = point.keys().map(Variable::name).collect();
+            let values: Vec<String> = point.values().map(Poly::to_string).collect();
+            format!("({}) = ({})", names.join(", "), values.join(", "))
+        });
+        let curves = self.curves.iter().map(|curve| {
+            let certainty = if curve.crossing.is_some() { "" } else { " (undecided)" };
+            format!("{} = 0{certainty}", curve.polynomial)
+        });
+        let parts: Vec<String> = lines.chain(points).chain(curves).collect();
+        f.write_str(if parts.is_empty() { "none" } else { "" })?;
+        f.write_str(&parts.join("; "))
+    }
+}
+
+/// The part of `domain` in the variables that occur in `poly`.
+pub(crate) fn occurring(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<(Variable, Interval)> {
+    domain.iter().filter(|(variable, _)| poly.contains(variable)).cloned().collect()
+}
+
+/// The decision about one factor that has no factors in a single variable, and its zeros on the edges.
+///
+/// The box is divided at rational zeros on its edges, and, if that is not enough, at rational coordinates of possible
+/// singular points: repeated roots of the discriminants.
+pub(crate) fn decide_factor(poly: &Poly, domain: &[(Variable, Interval)]) -> (Decision, Vec<EdgeZeros>) {
+    let domain = occurring(poly, domain);
+    let edges = edge_zeros(poly, &domain);
+    let mut cuts: Vec<(Variable, Poly)> = Vec::new();
+    let mut cut = |root: &RealRoot| {
+        if let (Some(value), true) = (root.to_rational(), cuts.len() < MOST_CUTS) {
+            let cut = (root.variable().clone(), Poly::constant(value));
+            if !cuts.contains(&cut) {
+                cuts.push(cut);
+            }
+        }
+    };
+    edges.iter().flat_map(|edge| &edge.roots).for_each(&mut cut);
+    let decision = subdivision::decide(poly, &domain, &cuts);
+    if !matches!(decision, Decision::Unknown { .. }) || domain.len() != 2 {
+        return (decision, edges);
+    }
+    let known = cuts.len();
+    cuts.extend(singular_coordinates(poly, &domain));
+    if cuts.len() == known {
+        return (decision, edges);
+    }
+    (subdivision::decide(poly, &domain, &cuts), edges)
+}
+
+/// How many cuts are made for zeros on edges, at most.
+const MOST_CUTS: usize = 8;
+
+fn edge_zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<EdgeZeros> {
+    let [first, second] = domain else { return Vec::new() };
+    let mut edges = Vec::new();
+    for ((fixed, range), (free, interval)) in [(first, second), (second, first)] {
+        for value in [range.lower(), range.upper()] {
+            let restricted = poly.substitute(fixed, value);
+            // A polynomial without factors in one variable vanishes on no edge.
+            let roots = restricted.real_roots_in(free, interval).unwrap_or_default();
+            if !roots.is_empty() {
+                edges.push(EdgeZeros { fixed: fixed.clone(), value: value.clone(), roots });
+            }
+        }
+    }
+    edges
+}
+
+/// Rational values of a variable inside the box at which the polynomial may have a singular zero.
+fn singular_coordinates(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<(Variable, Poly)> {
+    let [first, second] = domain else { return Vec::new() };
+    let mut coordinates = Vec::new();
+    for ((kept, interval), (eliminated, _)) in [(first, second), (second, first)] {
+        let derivative = poly.derivative(eliminated);
+        let degrees = (poly.degree(eliminated), derivative.degree(kept));
+        if !matches!(degrees, (Some(m), Some(n)) if m * n <= MOST_ELIMINATED) {
+            continue;
+        }
+        let resultant = poly.resultant(&derivative, eliminated);
+        for root in resultant.real_roots_in(kept, interval).unwrap_or_default() {
+            if let (true, Some(value)) = (root.multiplicity() > 1, root.to_rational()) {
+                coordinates.push((kept.clone(), Poly::constant(value)));
+            }
+        }
+    }
+    coordinates
+}
+
+/// The product of degrees up to which a discriminant is computed.
+const MOST_ELIMINATED: u32 = 64;

@@ -1,0 +1,148 @@
+//! Everything that is derived from the formula of a surface, over one number field.
+
+use std::sync::Arc;
+
+use super::control_net::ControlNet;
+use super::homogeneous::Homogeneous;
+use super::normal::Normal;
+use super::singular::SingularLocus;
+use super::swept::{OffsetError, ParametricSpeed, SweptSurface};
+use crate::number::field;
+use crate::{Interval, NumberField, Poly, Variable, budget, minimize_field};
+
+/// What follows from the formula of a surface: coordinates, degrees, normal, speeds, singular locus, offset, control net.
+///
+/// All polynomials are over [`Derivation::field`], which has no generator that none of them needs as far as
+/// [`minimize_field`] finds.
+#[derive(Clone, Debug)]
+pub struct Derivation {
+    /// The number field of all coefficients.
+    pub field: Arc<NumberField>,
+    /// The two parameters.
+    pub parameters: [Variable; 2],
+    /// The unknown constants, in their order.
+    pub symbols: Vec<Variable>,
+    /// The intervals of the parameters.
+    pub domain: [Interval; 2],
+    /// The homogeneous coordinates.
+    pub homogeneous: Homogeneous,
+    /// The normal.
+    pub normal: Normal,
+    /// The parametric speeds `‖R_u‖` and `‖R_v‖`.
+    pub speeds: [ParametricSpeed; 2],
+    /// Where there is no normal.
+    pub singular: SingularLocus,
+    /// The zeros of the singular locus on the domain, one text each.
+    pub singular_zeros: Vec<String>,
+    /// The offset surface at the distance [`Derivation::distance`].
+    pub offset: Offset,
+    /// The symbol for the distance of the offset.
+    pub distance: Variable,
+    /// The control points over the domain.
+    pub control_net: ControlNet,
+}
+
+/// The offset surface at a symbolic distance.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Offset {
+    /// It is rational in the given parameters, over the real numbers.
+    Rational(Box<Homogeneous>),
+    /// It is rational for all values of the symbols, but over a square root of `radicand`, which depends on them.
+    SymbolicRadical {
+        /// The polynomial in the symbols under the root.
+        radicand: Poly,
+    },
+    /// It is not rational in the given parameters.
+    Irrational {
+        /// The factor of `|R_u × R_v|²` that is no square.
+        odd: Poly,
+    },
+}
+
+impl Offset {
+    /// Whether it is rational in the given parameters, over the real numbers.
+    #[must_use]
+    pub fn is_rational(&self) -> bool {
+        !matches!(self, Offset::Irrational { .. })
+    }
+}
+
+impl SweptSurface {
+    /// Derives everything.
+    ///
+    /// # Errors
+    /// [`OffsetError::NoSurface`] if the formula gives a curve or a point.
+    pub fn derive(&self) -> Result<Derivation, OffsetError> {
+        let parameters = self.parameters().clone();
+        let domain = self.domain().clone();
+        let symbols = self.symbols();
+        let distance = distance_symbol(&symbols);
+        let homogeneous = budget::doing("the homogeneous coordinates", || self.homogeneous());
+        let normal = budget::doing("the normal", || self.normal())?;
+        let offset = budget::doing("the offset", || self.offset(&Poly::variable(&distance).into()));
+        let offset = offset.map(|surface| surface.homogeneous().clone());
+
+        // One field for all of them: what the visit collects is minimized, and given back in the same order.
+        let mut all = Vec::new();
+        homogeneous.visit(|poly| all.push(poly.clone()));
+        normal.visit(|poly| all.push(poly.clone()));
+        if let Ok(offset) = &offset {
+            offset.visit(|poly| all.push(poly.clone()));
+        }
+        let minimized = minimize_field(&all);
+        let mut field = minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
+        let mut next = minimized.into_iter();
+        let mut replace = |_: &Poly| next.next().unwrap_or_else(Poly::zero);
+        let homogeneous = homogeneous.map(&mut replace);
+        let normal = normal.map(&mut replace);
+        let offset = match offset {
+            Ok(offset) => Offset::Rational(Box::new(offset.map(&mut replace))),
+            Err(OffsetError::SymbolicRadical { radicand }) => Offset::SymbolicRadical { radicand },
+            Err(_) => Offset::Irrational { odd: normal.split().odd.clone() },
+        };
+
+        let position = homogeneous.cartesian();
+        let speeds = budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters));
+        let speeds = speeds.map(|speed| {
+            let root = speed.root.map(|root| root.map(|poly| into_field(poly, &mut field)));
+            ParametricSpeed { squared: speed.squared, root }
+        });
+        let singular = budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
+        let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
+        let control_net = ControlNet::of(&homogeneous, &domain).map(|number| into_field(number, &mut field));
+        Ok(Derivation {
+            field,
+            parameters,
+            symbols,
+            domain,
+            homogeneous,
+            normal,
+            speeds,
+            singular,
+            singular_zeros,
+            offset,
+            distance,
+            control_net,
+        })
+    }
+}
+
+/// `r`, or the first of `r1`, `r2`, … if the surface has a symbol of this name.
+fn distance_symbol(symbols: &[Variable]) -> Variable {
+    let taken = |name: &str| symbols.iter().any(|symbol| symbol.name() == name);
+    let mut name = "r".to_owned();
+    let mut number = 0;
+    while taken(&name) {
+        number += 1;
+        name = format!("r{number}");
+    }
+    Variable::new(Variable::SYMBOL, &name)
+}
+
+/// The polynomial over `field`, which grows where it must.
+fn into_field(poly: &Poly, field: &mut Arc<NumberField>) -> Poly {
+    let (joined, images) = field::join(field, poly.ring().field());
+    *field = joined;
+    images.map_or_else(|| poly.clone(), |images| poly.map_generators(field, &images))
+}

@@ -1,0 +1,153 @@
+//! The surface normal.
+
+use num_traits::One;
+
+use super::homogeneous::Homogeneous;
+use crate::geometry::sample::sample_sign_on_box;
+use crate::{Fraction, Interval, Poly, Rational, SquareSplit, Variable, Vector, budget};
+
+/// The normal direction of a rational surface, in lowest terms: `R_u × R_v = factor · numerator` (FN (11)).
+///
+/// The three components of the numerator are polynomials without common factor and without common content. The sign is
+/// chosen so that `factor` is positive where the domain begins; so where `factor` is positive, the numerator points the
+/// way of `R_u × R_v`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Normal {
+    numerator: [Poly; 3],
+    factor: Fraction,
+    norm_squared: Poly,
+    split: SquareSplit,
+    radicand: Poly,
+}
+
+impl Normal {
+    /// The normal of a surface; `None` if `R_u × R_v` vanishes identically, so that it is no surface but a curve or a
+    /// point. `domain` is where the parameters run.
+    ///
+    /// The derivatives keep the factors of the weight as their denominators, so only these factors are tried; the gcd of
+    /// the three components then finds the factor that no denominator announces, such as `1 + κ(v)x(u)`.
+    #[must_use]
+    pub fn of(surface: &Homogeneous, domain: &[Interval; 2]) -> Option<Normal> {
+        let [u, v] = surface.parameters();
+        let position = surface.cartesian();
+        let (along_u, along_v) = (position.derivative(u), position.derivative(v));
+        let cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v).reduced());
+        if cross.is_zero() {
+            return None;
+        }
+        let common = Fraction::common_denominator(cross.components());
+        let numerators = cross.components().each_ref().map(|component| component.numerator_over(&common));
+        let gcd = budget::doing("the common factor of the normal", || Poly::gcd_many(&numerators));
+        let mut numerator = numerators.map(|component| component.exact_div(&gcd).unwrap_or(component));
+        let mut content = Poly::common_content(&numerator);
+        let mut factor = Fraction::new(gcd.clone(), common.clone());
+        if sample_sign_on_box(&factor, surface.parameters(), domain).is_lt() {
+            content = -content;
+        }
+        factor = factor.scale(&content);
+        numerator = numerator.map(|component| component.scale(&content.recip()).pruned());
+        let norm_squared: Poly = numerator.iter().map(|component| component * component).sum();
+        let split = budget::doing("the square root of |R_u x R_v|^2", || norm_squared.square_split());
+        // Factors in the symbols alone are numbers, as far as the parameters go.
+        let mut split = split;
+        let mut radicand = Poly::one();
+        for (part, _) in split.odd.squarefree().factors {
+            if !surface.parameters().iter().any(|parameter| part.contains(parameter)) {
+                split.odd = split.odd.exact_div(&part).unwrap_or(split.odd);
+                radicand *= part;
+            }
+        }
+        Some(Normal { numerator, factor, norm_squared, split, radicand })
+    }
+
+    /// The components of the numerator.
+    #[must_use]
+    pub fn numerator(&self) -> &[Poly; 3] {
+        &self.numerator
+    }
+
+    /// The rational function with `R_u × R_v = factor · numerator`.
+    #[must_use]
+    pub fn factor(&self) -> &Fraction {
+        &self.factor
+    }
+
+    /// The squared length of the numerator.
+    #[must_use]
+    pub fn norm_squared(&self) -> &Poly {
+        &self.norm_squared
+    }
+
+    /// The factor of odd multiplicity in the squared length that is free of the parameters: a polynomial in the symbols,
+    /// 1 if there is none. The squared length is `unit · radicand · root² · odd`.
+    #[must_use]
+    pub fn radicand(&self) -> &Poly {
+        &self.radicand
+    }
+
+    /// The squared length as `unit · root² · odd`, up to [`Normal::radicand`].
+    #[must_use]
+    pub fn split(&self) -> &SquareSplit {
+        &self.split
+    }
+
+    /// Whether the unit normal, and with it every offset, is rational in the given parameters, over the real numbers: the
+    /// squared length is a square up to a positive number, or a polynomial in the symbols, which is positive as it is the
+    /// quotient of a sum of squares and a square.
+    #[must_use]
+    pub fn is_rational(&self) -> bool {
+        self.split.is_square()
+    }
+
+    /// The length of the numerator, if it is a polynomial over the real numbers: positive where the domain begins.
+    #[must_use]
+    pub fn length(&self, parameters: &[Variable; 2], domain: &[Interval; 2]) -> Option<Poly> {
+        if !self.is_rational() || !self.radicand.is_one() {
+            return None;
+        }
+        let length = &self.split.root * self.split.unit.sqrt()?;
+        let negative = sample_sign_on_box(&length.clone().into(), parameters, domain).is_lt();
+        Some(if negative { -length } else { length })
+    }
+
+    /// The unit normal, if it is rational; on the part of the domain where factor and length keep their signs.
+    #[must_use]
+    pub fn unit(&self, parameters: &[Variable; 2], domain: &[Interval; 2]) -> Option<Vector> {
+        let length = self.length(parameters, domain)?;
+        let [x, y, z] = self.numerator.each_ref().map(|component| Fraction::from(component.clone()));
+        let factors = length.squarefree();
+        let inverse = Fraction::new(factors.unit.inverse(), factors.factors);
+        Some(Vector::new(x, y, z).scale(&inverse).reduced())
+    }
+
+    /// The same normal with `map`, a homomorphism that keeps the parameters, applied to all polynomials.
+    pub(crate) fn map(&self, mut map: impl FnMut(&Poly) -> Poly) -> Normal {
+        Normal {
+            numerator: self.numerator.each_ref().map(&mut map),
+            factor: self.factor.map(&mut map),
+            norm_squared: map(&self.norm_squared),
+            split: SquareSplit {
+                unit: map(&self.split.unit),
+                root: map(&self.split.root),
+                odd: map(&self.split.odd),
+            },
+            radicand: map(&self.radicand),
+        }
+    }
+
+    /// Shows all polynomials to `see`, in the order in which [`Normal::map`] maps them.
+    pub(crate) fn visit(&self, mut see: impl FnMut(&Poly)) {
+        self.map(|poly| {
+            see(poly);
+            poly.clone()
+        });
+    }
+
+    /// Whether all three components are polynomials without common content: what holds of every normal.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        Poly::common_content(&self.numerator) == Rational::one()
+            && self.numerator.iter().all(Poly::is_valid)
+            && Poly::coprime(&self.numerator)
+    }
+}

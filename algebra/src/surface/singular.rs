@@ -1,0 +1,68 @@
+//! Where a surface has no normal.
+
+use super::normal::Normal;
+use crate::{Interval, Poly, Variable, ZeroSet};
+
+/// The points of the domain at which `R_u × R_v` vanishes.
+///
+/// With `R_u × R_v = factor · N` and `N` in lowest terms these are the zeros of the numerator of the factor, such as
+/// `1 + κ(v)x(u)`, and the common zeros of the components of `N`, which are the zeros of `|N|²`.
+#[derive(Clone, Debug)]
+pub struct SingularLocus {
+    /// The numerator of the factor, without content.
+    pub factor: Poly,
+    /// The zeros of the factor on the domain; `None` where unknown symbols keep them from being determined.
+    pub factor_zeros: Option<ZeroSet>,
+    /// The zeros of `|N|²` on the domain; `None` where unknown symbols keep them from being determined.
+    pub normal_zeros: Option<ZeroSet>,
+}
+
+impl SingularLocus {
+    /// The locus for a normal on the domain.
+    #[must_use]
+    pub fn of(normal: &Normal, parameters: &[Variable; 2], domain: &[Interval; 2]) -> SingularLocus {
+        let factor = normal.factor().lowest_terms().numerator().primitive();
+        let domain: Vec<(Variable, Interval)> =
+            parameters.iter().cloned().zip(domain.iter().cloned()).collect();
+        let factor_zeros = factor.zeros_on(&domain);
+        // |N|² is a sum of squares: its zeros are those of the square root where there is one.
+        let split = normal.split();
+        let support = if split.is_square() { split.root.clone() } else { normal.norm_squared().squarefree().radical() };
+        let normal_zeros = support.zeros_on(&domain);
+        SingularLocus { factor, factor_zeros, normal_zeros }
+    }
+
+    /// Whether the surface is certified to have a normal everywhere on the domain.
+    #[must_use]
+    pub fn is_regular(&self) -> bool {
+        [&self.factor_zeros, &self.normal_zeros].iter().all(|zeros| zeros.as_ref().is_some_and(ZeroSet::is_empty))
+    }
+
+    /// The zeros, one text each, such as `u = 1` or `u^2 - v = 0`; the word `undetermined` in place of those that depend on
+    /// symbols. Numbers print as what `over` maps them to.
+    #[must_use]
+    pub fn descriptions(&self, mut over: impl FnMut(&Poly) -> Poly) -> Vec<String> {
+        let mut all = Vec::new();
+        for zeros in [&self.factor_zeros, &self.normal_zeros] {
+            let Some(zeros) = zeros else {
+                all.push("undetermined: depends on the symbols".to_owned());
+                continue;
+            };
+            for line in &zeros.lines {
+                let value = line.exact().map_or_else(|| line.to_string(), |number| over(number).to_string());
+                all.push(format!("{} = {value}", line.variable()));
+            }
+            for point in &zeros.points {
+                let equations = point.iter().map(|(variable, value)| format!("{variable} = {}", over(value)));
+                all.push(equations.collect::<Vec<_>>().join(", "));
+            }
+            for curve in &zeros.curves {
+                let certainty = if curve.crossing.is_some() { "" } else { " (undecided)" };
+                all.push(format!("{} = 0{certainty}", over(&curve.polynomial)));
+            }
+        }
+        all.sort();
+        all.dedup();
+        all
+    }
+}

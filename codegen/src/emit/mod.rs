@@ -1,0 +1,49 @@
+//! From programs to source text.
+//!
+//! [`module`] gives the documented module of one surface, as the macro expands to; [`format`] lays tokens out as text, and [`standalone`] adds the little of the runtime that the items need.
+
+mod body;
+mod polynomial;
+mod rust;
+mod standalone;
+
+use proc_macro2::TokenStream;
+
+pub use rust::module;
+pub use standalone::standalone;
+
+use crate::program::Program;
+
+/// A surface to be emitted: its program, and what is said of it.
+#[derive(Clone, Debug)]
+pub struct Artifact {
+    /// The name of the sweep, in snake case.
+    pub name: String,
+    /// The documentation that its author wrote, a string for each line.
+    pub documentation: Vec<String>,
+    /// The formula, in the sweep language.
+    pub formula: String,
+    /// Where the formula is from.
+    pub source: Option<String>,
+    /// The strict degrees in u and v of W, X, Y and Z; −1 for a zero polynomial.
+    pub coordinate_degrees: [(i64, i64); 4],
+    /// The patch degree.
+    pub degree: (u32, u32),
+    /// First and last value of u, then of v.
+    pub domain: [[f64; 2]; 2],
+    /// Homogeneous control points over the domain, the index of u outer.
+    pub control_net: Vec<[f64; 4]>,
+    /// The scheduled program (see [`crate::schedule`]) with rounded constants.
+    pub program: Program<f64>,
+}
+
+/// The text of `tokens`, which are items of a file, laid out by prettyplease.
+///
+/// # Errors
+/// The error of syn if the tokens are not items.
+pub fn format(tokens: TokenStream) -> Result<String, syn::Error> {
+    Ok(prettyplease::unparse(&syn::parse2(tokens)?))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,383 @@
+//! Rust items: a documented unit struct for each surface, which implements the runtime's `Surface`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::Artifact;
+use super::body::{Body, Names, literal};
+use super::polynomial::{functions, polynomials};
+use crate::program::{Input, Program, Stage, Value};
+use crate::schedule::outputs;
+
+/// The documented module `pub mod name { … }` of a surface, over the runtime at the path `runtime`.
+///
+/// `runtime` is `::hodograph`, or the path of a copy.
+#[must_use]
+pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
+    let name = Ident::new(&artifact.name, Span::call_site());
+    let docs = documentation(artifact);
+    let items = items(artifact, runtime);
+    quote! {
+        #docs
+        #[allow(clippy::doc_markdown)]
+        pub mod #name {
+            #items
+        }
+    }
+}
+
+/// The items of a surface: a unit struct with inherent constants and evaluators, and its `impl Surface`.
+///
+/// Evaluators are straight-line code over `f64`. What a point needs of u alone, of v alone and of both are separate
+/// functions, so that `grid` evaluates exactly what `point` does.
+fn items(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
+    let name = Ident::new(&camel_case(&artifact.name), Span::call_site());
+    let text = format!("The surface `{}` as a value.", artifact.name);
+    let docs = doc([text.as_str()]);
+    let constants = constants(artifact, runtime);
+    let polynomials = polynomials(&artifact.program, runtime);
+    let evaluators = evaluators(artifact, runtime);
+    let implementation = implementation(&name, runtime);
+    quote! {
+        #docs
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct #name;
+
+        #[allow(
+            clippy::approx_constant,
+            clippy::excessive_precision,
+            clippy::float_cmp,
+            clippy::many_single_char_names,
+            clippy::similar_names,
+            clippy::suboptimal_flops,
+            clippy::trivially_copy_pass_by_ref,
+            clippy::unreadable_literal,
+            clippy::unused_self
+        )]
+        impl #name {
+            #constants
+            #evaluators
+            #polynomials
+        }
+
+        #implementation
+    }
+}
+
+/// Documentation of the module: formula, source, degrees, domain and operation counts.
+fn documentation(artifact: &Artifact) -> TokenStream {
+    let mut lines: Vec<String> = artifact.documentation.clone();
+    if lines.is_empty() {
+        lines.push(format!("The surface `{}`.", artifact.name));
+    }
+    lines.extend([String::new(), "```text".into(), artifact.formula.clone(), "```".into(), String::new()]);
+    if let Some(source) = &artifact.source {
+        lines.extend([format!("Source: `{}`.", source.replace('`', "'")), String::new()]);
+    }
+    let (m, n) = artifact.degree;
+    let [w, x, y, z] = artifact.coordinate_degrees.map(|(m, n)| format!("({m}, {n})"));
+    let [[u_first, u_last], [v_first, v_last]] = artifact.domain;
+    lines.push(format!("- Degree ({m}, {n}): W {w}, X {x}, Y {y}, Z {z}."));
+    lines.push(format!("- Domain: u from {u_first:?} to {u_last:?}, v from {v_first:?} to {v_last:?}."));
+    let program = &artifact.program;
+    let point = program.results(outputs::POINT);
+    let counts = [Stage::V, Stage::U, Stage::Both].map(|stage| program.count(point, stage));
+    lines.push(format!(
+        "- Cost of a point: {}; on a grid {} for each v, {} for each u and {} for each point.",
+        program.count_all(point),
+        counts[0],
+        counts[1],
+        counts[2]
+    ));
+    doc(lines.iter().map(String::as_str))
+}
+
+fn constants(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
+    let Artifact { name, formula, .. } = artifact;
+    let source = match &artifact.source {
+        Some(source) => quote! { ::core::option::Option::Some(#source) },
+        None => quote! { ::core::option::Option::None },
+    };
+    let (m, n) = (Literal::u32_unsuffixed(artifact.degree.0), Literal::u32_unsuffixed(artifact.degree.1));
+    let [[u_first, u_last], [v_first, v_last]] = artifact.domain.map(|ends| ends.map(literal));
+    let net = artifact.control_net.iter().map(|point| {
+        let [w, x, y, z] = point.map(literal);
+        quote! { [#w, #x, #y, #z] }
+    });
+    let length = Literal::usize_unsuffixed(artifact.control_net.len());
+    quote! {
+        /// The name of the sweep.
+        pub const NAME: &'static str = #name;
+        /// The formula that it was generated from.
+        pub const FORMULA: &'static str = #formula;
+        /// Where the formula is from.
+        pub const SOURCE: ::core::option::Option<&'static str> = #source;
+        /// The patch degree in u and v.
+        pub const DEGREE: (u32, u32) = (#m, #n);
+        /// The parameters over which the surface is stated.
+        pub const DOMAIN: #runtime::Domain = #runtime::Domain { u: [#u_first, #u_last], v: [#v_first, #v_last] };
+        /// Homogeneous Bézier control points (W, X, Y, Z) over the domain, rounded; the index of u is the outer one.
+        pub const CONTROL_NET: [[f64; 4]; #length] = [#(#net),*];
+    }
+}
+
+fn evaluators(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
+    let program = &artifact.program;
+    let functions = &functions(program);
+    let function = |output: &str, first: &str, name: &str, size: usize| {
+        let results = program.results(output);
+        let body = Body::new(program, results, &BTreeMap::new(), functions, runtime);
+        let text = format!("{first}: {}.", program.count_all(results));
+        evaluator(&text, name, &body, size)
+    };
+    let homogeneous = function(
+        outputs::HOMOGENEOUS,
+        "The homogeneous coordinates (W, X, Y, Z) at (u, v)",
+        "homogeneous",
+        4,
+    );
+    let partial_u = function(outputs::PARTIAL_U, "The partial derivative `R_u`", "partial_u", 3);
+    let partial_v = function(outputs::PARTIAL_V, "The partial derivative `R_v`", "partial_v", 3);
+    let point = point(program, functions, runtime);
+    let unit_normal = unit_normal(program, functions, runtime);
+    quote! {
+        #homogeneous
+        #point
+        #partial_u
+        #partial_v
+        #unit_normal
+
+        /// The parametric speed `‖R_u‖` of the curves v = const.
+        #[inline]
+        #[must_use]
+        pub fn speed_u(&self, u: f64, v: f64) -> f64 {
+            #runtime::Surface::speed_u(self, u, v)
+        }
+
+        /// The parametric speed `‖R_v‖` of the curves u = const.
+        #[inline]
+        #[must_use]
+        pub fn speed_v(&self, u: f64, v: f64) -> f64 {
+            #runtime::Surface::speed_v(self, u, v)
+        }
+
+        /// The point R + r·N of the offset surface, where the surface is regular.
+        #[inline]
+        pub fn offset_point(&self, r: f64, u: f64, v: f64) -> #runtime::Regularity {
+            #runtime::Surface::offset_point(self, r, u, v)
+        }
+    }
+}
+
+/// A public evaluator that returns the results of `body` as an array.
+fn evaluator(text: &str, name: &str, body: &Body, size: usize) -> TokenStream {
+    let (docs, name, size) =
+        (doc([text]), Ident::new(name, Span::call_site()), Literal::usize_unsuffixed(size));
+    let (u, v) = (parameter(body, Input::U), parameter(body, Input::V));
+    let Body { statements, results, .. } = body;
+    quote! {
+        #docs
+        #[inline]
+        #[must_use]
+        pub fn #name(&self, #u: f64, #v: f64) -> [f64; #size] {
+            #statements
+            [#(#results),*]
+        }
+    }
+}
+
+/// The point in three functions, for what is known of u, of v and of both, and the grid that calls them.
+fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &TokenStream) -> TokenStream {
+    let results = program.results(outputs::POINT);
+    let names = Names::new(program);
+    let mut parts = [BTreeSet::new(), BTreeSet::new()];
+    let mut frontier = |value: Value| match program.stage(value) {
+        Stage::U => _ = parts[0].insert(value),
+        Stage::V => _ = parts[1].insert(value),
+        Stage::Constant | Stage::Both => {}
+    };
+    results.iter().for_each(|&result| frontier(result));
+    for value in program.needed(results) {
+        if program.stage(value) == Stage::Both {
+            program.operation(value).operands().into_iter().for_each(&mut frontier);
+        }
+    }
+    let [of_u, of_v] = parts.map(|values| values.into_iter().collect::<Vec<Value>>());
+    let part = |values: &[Value], input: Input, name: &str, stage: Stage| {
+        let body = Body::new(program, values, &BTreeMap::new(), functions, runtime);
+        let (name, size) = (Ident::new(name, Span::call_site()), Literal::usize_unsuffixed(values.len()));
+        let parameter = parameter(&body, input);
+        let letter = if input == Input::U { 'u' } else { 'v' };
+        let text = doc([
+            format!("What a point needs of {letter} alone: {}.", program.count(results, stage)).as_str()
+        ]);
+        let Body { statements, results, .. } = body;
+        quote! {
+            #text
+            #[inline]
+            fn #name(#parameter: f64) -> [f64; #size] {
+                #statements
+                [#(#results),*]
+            }
+        }
+    };
+    let function_of_u = part(&of_u, Input::U, "of_u", Stage::U);
+    let function_of_v = part(&of_v, Input::V, "of_v", Stage::V);
+    let given =
+        of_u.iter().chain(&of_v).map(|&value| (value, names.of(program, value).to_token_stream())).collect();
+    let Body { statements, results: joined, .. } = Body::new(program, results, &given, functions, runtime);
+    let (names_u, names_v) = (of_u.iter().map(|value| &given[value]), of_v.iter().map(|value| &given[value]));
+    let (size_u, size_v) = (Literal::usize_unsuffixed(of_u.len()), Literal::usize_unsuffixed(of_v.len()));
+    let text = doc([format!("The point of both parts: {}.", program.count(results, Stage::Both)).as_str()]);
+    let point_text = doc([format!("The point R(u, v): {}.", program.count_all(results)).as_str()]);
+    quote! {
+        #function_of_u
+        #function_of_v
+        #text
+        #[inline]
+        fn join(of_u: &[f64; #size_u], of_v: &[f64; #size_v]) -> [f64; 3] {
+            let [#(#names_u),*] = *of_u;
+            let [#(#names_v),*] = *of_v;
+            #statements
+            [#(#joined),*]
+        }
+
+        #point_text
+        #[inline]
+        #[must_use]
+        pub fn point(&self, u: f64, v: f64) -> [f64; 3] {
+            Self::join(&Self::of_u(u), &Self::of_v(v))
+        }
+
+        /// Writes R(`us[i]`, `vs[j]`) to `out[j * us.len() + i]`, with the bits of `point`.
+        ///
+        /// # Errors
+        /// If the length of `out` is not `us.len() * vs.len()`.
+        #[inline]
+        pub fn grid(
+            &self,
+            us: &[f64],
+            vs: &[f64],
+            out: &mut [[f64; 3]],
+        ) -> ::core::result::Result<(), #runtime::GridError> {
+            #runtime::grid::staged(us, vs, out, Self::of_u, Self::of_v, Self::join)
+        }
+    }
+}
+
+fn unit_normal(
+    program: &Program<f64>,
+    functions: &BTreeMap<Value, Ident>,
+    runtime: &TokenStream,
+) -> TokenStream {
+    let rational = program.results(outputs::UNIT_NORMAL);
+    let (constructor, vector) = if rational.is_empty() {
+        (quote! { unit }, program.results(outputs::NORMAL_DIRECTION))
+    } else {
+        (quote! { finite }, rational)
+    };
+    let singular = program.results(outputs::SINGULAR);
+    let results: Vec<Value> = vector.iter().chain(singular).copied().collect();
+    let body = Body::new(program, &results, &BTreeMap::new(), functions, runtime);
+    let mut text = format!("The unit normal, where the surface is regular: {}", program.count_all(&results));
+    text.push_str(if rational.is_empty() { " for its direction." } else { ", since it is rational." });
+    let docs = doc([text.as_str()]);
+    let (u, v) = (parameter(&body, Input::U), parameter(&body, Input::V));
+    let Body { statements, results, .. } = body;
+    let (vector, singular) = results.split_at(vector.len());
+    let guard = singular.iter().map(|factor| {
+        quote! {
+            if #factor == 0.0 {
+                return #runtime::Regularity::Singular;
+            }
+        }
+    });
+    quote! {
+        #docs
+        #[inline]
+        pub fn unit_normal(&self, #u: f64, #v: f64) -> #runtime::Regularity {
+            #statements
+            #(#guard)*
+            #runtime::Regularity::#constructor([#(#vector),*])
+        }
+    }
+}
+
+/// The trait's implementation, which calls the inherent evaluators.
+fn implementation(name: &Ident, runtime: &TokenStream) -> TokenStream {
+    let evaluators = [
+        ("homogeneous", quote! { [f64; 4] }),
+        ("point", quote! { [f64; 3] }),
+        ("partial_u", quote! { [f64; 3] }),
+        ("partial_v", quote! { [f64; 3] }),
+        ("unit_normal", quote! { #runtime::Regularity }),
+    ]
+    .map(|(method, result)| {
+        let method = Ident::new(method, Span::call_site());
+        quote! {
+            #[inline]
+            fn #method(&self, u: f64, v: f64) -> #result {
+                Self::#method(self, u, v)
+            }
+        }
+    });
+    quote! {
+        impl #runtime::Surface for #name {
+            fn name(&self) -> &str {
+                Self::NAME
+            }
+
+            fn degree(&self) -> (u32, u32) {
+                Self::DEGREE
+            }
+
+            fn domain(&self) -> #runtime::Domain {
+                Self::DOMAIN
+            }
+
+            fn control_net(&self) -> &[[f64; 4]] {
+                &Self::CONTROL_NET
+            }
+
+            #(#evaluators)*
+
+            fn grid(
+                &self,
+                us: &[f64],
+                vs: &[f64],
+                out: &mut [[f64; 3]],
+            ) -> ::core::result::Result<(), #runtime::GridError> {
+                Self::grid(self, us, vs, out)
+            }
+        }
+    }
+}
+
+/// The name of a parameter, with an underscore if the body does not read it.
+fn parameter(body: &Body, input: Input) -> Ident {
+    let name = match (input, body.inputs.contains(&input)) {
+        (Input::U, true) => "u",
+        (Input::U, false) => "_u",
+        (Input::V, true) => "v",
+        (Input::V, false) => "_v",
+    };
+    Ident::new(name, Span::call_site())
+}
+
+/// `///` lines.
+fn doc<'a>(lines: impl IntoIterator<Item = &'a str>) -> TokenStream {
+    let lines =
+        lines.into_iter().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
+    quote! { #(#[doc = #lines])* }
+}
+
+/// `a_name` as `AName`.
+fn camel_case(name: &str) -> String {
+    let word = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    };
+    name.split('_').map(word).collect()
+}

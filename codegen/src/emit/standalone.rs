@@ -1,0 +1,101 @@
+//! Source that compiles without any dependency.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta};
+
+use super::{Artifact, format, module};
+
+/// The runtime's files that surfaces use, by the names of their modules.
+const RUNTIME: [(&str, &str); 3] = [
+    ("grid", include_str!("../../../generated/src/grid.rs")),
+    ("regularity", include_str!("../../../generated/src/regularity.rs")),
+    ("surface", include_str!("../../../generated/src/surface.rs")),
+];
+
+/// The modules of `artifacts` and, in a module `runtime`, what they need of the runtime, laid out as text.
+///
+/// Square roots are those of the standard library. Examples in the runtime's documentation are left out, since they
+/// name its package.
+///
+/// # Errors
+/// The error of syn if the runtime's files do not parse, which its own build would have reported.
+pub fn standalone(artifacts: &[Artifact]) -> Result<String, syn::Error> {
+    let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::runtime }));
+    let runtime = runtime()?;
+    format(quote! {
+        #(#modules)*
+        #runtime
+    })
+}
+
+fn runtime() -> Result<TokenStream, syn::Error> {
+    let mut modules = TokenStream::new();
+    for (name, text) in RUNTIME {
+        let mut file: syn::File = syn::parse_str(&text.replace("use crate::", "use super::"))?;
+        file.items.retain(|item| !matches!(item, Item::Mod(_)));
+        file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));
+        for item in &mut file.items {
+            shorten(item);
+        }
+        let (name, items) = (Ident::new(name, Span::call_site()), file.items);
+        modules.extend(quote! { pub mod #name { #(#items)* } });
+    }
+    Ok(quote! {
+        /// What the surfaces need to run.
+        #[allow(dead_code, missing_docs, clippy::pedantic, clippy::nursery)]
+        pub mod runtime {
+            pub use grid::GridError;
+            pub use regularity::Regularity;
+            pub use surface::{Domain, Surface};
+
+            pub mod float {
+                /// The correctly rounded square root.
+                #[inline]
+                #[must_use]
+                pub fn sqrt(x: f64) -> f64 {
+                    x.sqrt()
+                }
+            }
+            #modules
+        }
+    })
+}
+
+/// Leaves out the examples in an item's documentation.
+fn shorten(item: &mut Item) {
+    match item {
+        Item::Enum(item) => shorten_documentation(&mut item.attrs),
+        Item::Struct(item) => shorten_documentation(&mut item.attrs),
+        Item::Fn(item) => shorten_documentation(&mut item.attrs),
+        Item::Trait(item) => shorten_documentation(&mut item.attrs),
+        Item::Impl(item) => {
+            for item in &mut item.items {
+                if let syn::ImplItem::Fn(function) = item {
+                    shorten_documentation(&mut function.attrs);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+fn shorten_documentation(attributes: &mut Vec<Attribute>) {
+    let mut within = false;
+    attributes.retain(|attribute| {
+        let Meta::NameValue(meta) = &attribute.meta else { return true };
+        let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &meta.value else { return true };
+        let fence = text.value().trim_start().starts_with("```");
+        let keep = !within && !fence;
+        within ^= fence;
+        keep
+    });
+    while attributes.last().is_some_and(is_blank) {
+        attributes.pop();
+    }
+}
+
+fn is_blank(attribute: &Attribute) -> bool {
+    let Meta::NameValue(meta) = &attribute.meta else { return false };
+    matches!(&meta.value, Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) if text.value().trim().is_empty())
+}

@@ -1,0 +1,54 @@
+//! Emitted surfaces: they parse, and say what they should.
+
+use hodograph_algebra::Poly;
+use quote::quote;
+
+use super::{Artifact, format, module, standalone};
+use crate::round::round;
+use crate::schedule::tests::{Example, bilinear, quintic_translation};
+use crate::schedule::{check, schedule};
+
+fn artifact(name: &str, example: &Example) -> Artifact {
+    let exact = schedule(&example.derived());
+    assert_eq!(check(&exact, &example.derived()), Ok(()));
+    let degree = |poly: &Poly, variable| poly.degree(variable).map_or(-1, i64::from);
+    let coordinate_degrees =
+        example.homogeneous.each_ref().map(|c| (degree(c, &example.u), degree(c, &example.v)));
+    let largest =
+        |degrees: [i64; 4]| degrees.into_iter().max().and_then(|d| u32::try_from(d).ok()).unwrap_or(0);
+    Artifact {
+        name: name.to_string(),
+        documentation: vec!["A surface made by hand.".to_string()],
+        formula: "R(u, v) = s + p.x * s.normal + p.z * k".to_string(),
+        source: Some("Farouki & Nittler 2014, eq. (17)".to_string()),
+        coordinate_degrees,
+        degree: (largest(coordinate_degrees.map(|d| d.0)), largest(coordinate_degrees.map(|d| d.1))),
+        domain: [[0.0, 1.0], [0.0, 1.0]],
+        control_net: vec![[1.0, 0.5, -0.25, 1e-7]],
+        program: round(&exact).unwrap(),
+    }
+}
+
+#[test]
+fn modules_read_well() {
+    let tokens = module(&artifact("circle_translation", &quintic_translation()), &quote! { ::hodograph });
+    assert_eq!(format(tokens).unwrap(), include_str!("translation.expected"));
+}
+
+#[test]
+fn parameters_that_are_not_read_are_marked() {
+    let tokens = module(&artifact("patch", &bilinear()), &quote! { ::hodograph });
+    let text = format(tokens).unwrap();
+    assert!(text.contains("pub struct Patch;"), "{text}");
+    assert!(text.contains("Regularity::unit(["), "{text}");
+}
+
+#[test]
+fn standalone_text_names_no_package() {
+    let text =
+        standalone(&[artifact("patch", &bilinear()), artifact("other", &quintic_translation())]).unwrap();
+    assert!(!text.contains("hodograph"), "{text}");
+    assert!(!text.contains("cfg"), "{text}");
+    assert!(!text.contains("assert"), "{text}");
+    assert!(text.contains("pub trait Surface"));
+}

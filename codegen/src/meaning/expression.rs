@@ -1,0 +1,218 @@
+//! Expressions to values.
+
+use hodograph_algebra::{Fraction, Poly, Rational, budget, integer, parse_decimal};
+
+use super::fault::Fault;
+use super::scope::Scope;
+use super::value::{ComplexFraction, Value};
+use super::{calls, members};
+use crate::language::Span;
+use crate::language::ast::{Expr, ExprKind, ProductOperator, SumOperator};
+
+/// The largest exponent, up or down, that an expression may raise to.
+pub const MAX_EXPONENT: i64 = 1000;
+
+impl Scope {
+    /// The value of an expression.
+    pub(super) fn evaluate(&self, expr: &Expr) -> Result<Value, Fault> {
+        budget::spend(1);
+        let span = expr.span();
+        match expr.kind() {
+            ExprKind::Number(text) => parse_decimal(text).map(scalar).ok_or_else(|| {
+                let message = format!("the number {} is beyond the range", shortened(text));
+                Fault::new(span, message).help("decimals with up to 4096 places up or down are exact here")
+            }),
+            ExprKind::Ident(name) => self.value(name, span),
+            ExprKind::Str(text) => Ok(Value::Text(text.clone())),
+            ExprKind::Tuple(parts) => {
+                let part = |part: &Expr| self.scalar(part, "a component");
+                Ok(Value::Tuple(parts.iter().map(part).collect::<Result<_, _>>()?))
+            }
+            ExprKind::Array(parts) => {
+                Ok(Value::List(parts.iter().map(|part| self.evaluate(part)).collect::<Result<_, _>>()?))
+            }
+            ExprKind::Call { callee, arguments } => calls::call(self, span, callee, arguments),
+            ExprKind::Member { object, member } => members::member(self, span, object, member),
+            ExprKind::Negative(operand) => {
+                let value = self.evaluate(operand)?;
+                product(&scalar(integer(-1)), &value).ok_or_else(|| no_sign(operand.span(), &value))
+            }
+            ExprKind::Sum { first, rest } => {
+                let mut sum = self.evaluate(first)?;
+                for (operator, operand) in rest {
+                    let value = self.evaluate(operand)?;
+                    let signed = match operator {
+                        SumOperator::Plus => Some(value.clone()),
+                        SumOperator::Minus => product(&scalar(integer(-1)), &value),
+                    };
+                    let total = signed.and_then(|signed| add(&sum, &signed));
+                    sum = total.ok_or_else(|| cannot(operand.span(), "add", &sum, &value))?;
+                }
+                Ok(sum)
+            }
+            ExprKind::Product { first, rest } => {
+                let mut result = self.evaluate(first)?;
+                for (operator, operand) in rest {
+                    let value = self.evaluate(operand)?;
+                    result = match operator {
+                        ProductOperator::Times => product(&result, &value)
+                            .ok_or_else(|| cannot(operand.span(), "multiply", &result, &value))?,
+                        ProductOperator::Over => quotient(&result, &value, operand.span())?,
+                    };
+                }
+                Ok(result)
+            }
+            ExprKind::Power { base, exponent } => self.power(base, exponent),
+            ExprKind::Not(_) | ExprKind::Relation { .. } => {
+                Err(Fault::new(span, "a relation has no value").help("relations stand in `claim` clauses"))
+            }
+        }
+    }
+
+    /// The value of an expression that must be a scalar.
+    pub(super) fn scalar(&self, expr: &Expr, role: &str) -> Result<Fraction, Fault> {
+        let value = self.evaluate(expr)?;
+        value.scalar().ok_or_else(|| {
+            let message = format!("{role} must be a scalar, but this is {}", value.kind());
+            let fault = Fault::new(expr.span(), message);
+            match value.bare() {
+                Value::Vector(_) | Value::Curve(_) => fault.help("take a component with `.x`, `.y` or `.z`"),
+                Value::Complex(_) => fault.help("take `re(…)` or `im(…)`"),
+                _ => fault,
+            }
+        })
+    }
+
+    /// The value of an expression that must be a real number.
+    pub(super) fn number(&self, expr: &Expr, role: &str) -> Result<Poly, Fault> {
+        let value = self.scalar(expr, role)?;
+        value.to_number().ok_or_else(|| {
+            Fault::new(expr.span(), format!("{role} must be a number, but this depends on {}", list(&value)))
+        })
+    }
+
+    /// The value of an expression that must be a rational number.
+    pub(super) fn rational(&self, expr: &Expr, role: &str) -> Result<Rational, Fault> {
+        let number = self.number(expr, role)?;
+        number.to_rational().ok_or_else(|| Fault::new(expr.span(), format!("{role} must be a rational number")))
+    }
+
+    fn power(&self, base: &Expr, exponent: &Expr) -> Result<Value, Fault> {
+        let power = self.rational(exponent, "an exponent")?;
+        let small = power.is_integer().then(|| power.to_integer().small()).flatten();
+        let Some(power) = small.filter(|power| power.abs() <= MAX_EXPONENT) else {
+            let message = if power.is_integer() {
+                format!("the exponent {} is beyond the limit of {MAX_EXPONENT}", shortened(&power.to_string()))
+            } else {
+                format!("the exponent {power} is not an integer")
+            };
+            let fault = Fault::new(exponent.span(), message);
+            return Err(if power.is_integer() { fault } else { fault.help("write `sqrt(…)` for a square root") });
+        };
+        let value = self.evaluate(base)?;
+        let count = u32::try_from(power.unsigned_abs()).unwrap_or(u32::MAX);
+        let raised = match value.bare() {
+            Value::Scalar(scalar) => Value::Scalar(scalar.pow(count)),
+            Value::Complex(complex) => {
+                let mut result = ComplexFraction::from(Fraction::one());
+                for _ in 0..count {
+                    result = result.times(complex);
+                }
+                Value::Complex(result)
+            }
+            other => {
+                let message = format!("{} cannot be raised to a power", other.kind());
+                return Err(Fault::new(base.span(), message).help("`norm2(a)` is the square of a vector's length"));
+            }
+        };
+        if power >= 0 { Ok(raised) } else { quotient(&scalar(integer(1)), &raised, base.span()) }
+    }
+}
+
+/// The number as a value.
+pub(super) fn scalar(value: Rational) -> Value {
+    Value::Scalar(value.into())
+}
+
+/// The sum, if both are of one kind.
+pub(super) fn add(a: &Value, b: &Value) -> Option<Value> {
+    if let (Some(a), Some(b)) = (a.scalar(), b.scalar()) {
+        return Some(Value::Scalar(&a + &b));
+    }
+    if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
+        return Some(Value::Complex(ComplexFraction { re: &a.re + &b.re, im: &a.im + &b.im }));
+    }
+    if let (Value::Tuple(a), Value::Tuple(b)) = (a.bare(), b.bare()) {
+        let sums = a.iter().zip(b).map(|(a, b)| a + b).collect();
+        return (a.len() == b.len()).then_some(Value::Tuple(sums));
+    }
+    Some(Value::Vector(&a.vector()? + &b.vector()?))
+}
+
+/// The product of two scalars, of two complex numbers, or of a scalar and a vector.
+pub(super) fn product(a: &Value, b: &Value) -> Option<Value> {
+    match (a.scalar(), b.scalar()) {
+        (Some(a), Some(b)) => Some(Value::Scalar(&a * &b)),
+        (Some(factor), None) | (None, Some(factor)) => {
+            let other = if a.scalar().is_some() { b } else { a };
+            if let Value::Tuple(parts) = other.bare() {
+                return Some(Value::Tuple(parts.iter().map(|part| part * &factor).collect()));
+            }
+            match other.complex() {
+                Some(other) => Some(Value::Complex(other.times(&factor.into()))),
+                None => Some(Value::Vector(other.vector()?.scale(&factor))),
+            }
+        }
+        (None, None) => Some(Value::Complex(a.complex()?.times(&b.complex()?))),
+    }
+}
+
+fn quotient(a: &Value, b: &Value, span: Span) -> Result<Value, Fault> {
+    let zero = || Fault::new(span, "division by zero").help("this expression is zero for all values of its parameters");
+    let result = if let Some(divisor) = b.scalar() {
+        let known = a.scalar().map(|a| a.factors().iter().map(|(factor, _)| factor.clone()).collect());
+        let inverse = divisor.reciprocal(&known.unwrap_or_else(Vec::new)).ok_or_else(zero)?;
+        product(a, &Value::Scalar(inverse))
+    } else if let Some(divisor) = b.complex() {
+        product(a, &Value::Complex(divisor.reciprocal().ok_or_else(zero)?))
+    } else {
+        None
+    };
+    result.ok_or_else(|| cannot(span, "divide", a, b))
+}
+
+fn cannot(span: Span, verb: &str, a: &Value, b: &Value) -> Fault {
+    let (a_kind, b_kind) = (a.kind(), b.kind());
+    let (message, help) = match verb {
+        "add" => (format!("{a_kind} and {b_kind} cannot be added"), "both sides of a sum must be scalars, or vectors"),
+        "divide" => (format!("{a_kind} cannot be divided by {b_kind}"), "a divisor must be a scalar"),
+        _ => (
+            format!("{a_kind} and {b_kind} cannot be multiplied with `*`"),
+            "two vectors have the products `dot(a, b)` and `cross(a, b)`",
+        ),
+    };
+    let is_vector = |value: &Value| matches!(value.bare(), Value::Vector(_) | Value::Curve(_) | Value::Tuple(_));
+    let fault = Fault::new(span, message);
+    if verb == "add" && is_vector(a) != is_vector(b) {
+        return fault.help("a scalar becomes a vector by a unit vector: `z*k`");
+    }
+    fault.help(help)
+}
+
+fn no_sign(span: Span, value: &Value) -> Fault {
+    Fault::new(span, format!("{} has no negative", value.kind()))
+}
+
+/// The names that a function depends on.
+pub(super) fn list(value: &Fraction) -> String {
+    let names: Vec<String> = value.occurring_variables().iter().map(|v| format!("`{v}`")).collect();
+    names.join(", ")
+}
+
+/// A text, cut for a message.
+pub(super) fn shortened(text: &str) -> String {
+    if text.chars().count() <= 60 {
+        return text.to_owned();
+    }
+    format!("{}…", text.chars().take(60).collect::<String>())
+}

@@ -1,0 +1,71 @@
+//! Why an expression has no value.
+
+use hodograph_algebra::budget::Exhausted;
+use hodograph_algebra::{CurveError, OffsetError};
+
+use crate::language::{Diagnostic, Span};
+
+/// Why an expression has no value, at its place.
+#[derive(Clone, Debug)]
+pub struct Fault {
+    /// What to tell the user.
+    pub diagnostic: Diagnostic,
+    /// Whether the value exists but is not a rational function: what `is_rational` asks for.
+    pub irrational: bool,
+}
+
+impl Fault {
+    /// A mistake at a place.
+    pub fn new(span: Span, message: impl Into<String>) -> Fault {
+        Diagnostic::new(span, message).into()
+    }
+
+    /// The same with what to do.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Fault {
+        self.diagnostic = self.diagnostic.help(help);
+        self
+    }
+
+    /// A property that a curve does not have.
+    pub fn curve(span: Span, error: &CurveError) -> Fault {
+        let irrational = matches!(error, CurveError::IrrationalSpeed { .. } | CurveError::ArcLength { .. });
+        let help = match error {
+            CurveError::IrrationalSpeed { .. } => {
+                "only curves with a rational parametric speed, such as Pythagorean-hodograph curves (`ph`, \
+                 `ph_hermite`), have a rational tangent and normal"
+            }
+            CurveError::Point => "give a curve whose points differ",
+            CurveError::NotPlanar => "a planar normal needs a curve with one coordinate that is zero",
+            CurveError::ArcLength { .. } => "a polynomial parametric speed, as that of `ph` curves, has one",
+            CurveError::Straight => "give a curve that bends",
+            CurveError::NoDomain => "state `domain`, with the interval of the curve's parameter",
+            _ => "",
+        };
+        let fault = Fault::new(span, error.to_string()).irrational(irrational);
+        if help.is_empty() { fault } else { fault.help(help) }
+    }
+
+    /// An offset that a surface does not have.
+    pub fn offset(span: Span, error: &OffsetError) -> Fault {
+        let irrational = matches!(error, OffsetError::Irrational { .. });
+        Fault::new(span, error.to_string()).irrational(irrational)
+    }
+
+    /// Work beyond the budget.
+    pub fn exhausted(span: Span, error: &Exhausted) -> Fault {
+        let message = error.to_string();
+        Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers")
+    }
+
+    fn irrational(mut self, irrational: bool) -> Fault {
+        self.irrational = irrational;
+        self
+    }
+}
+
+impl From<Diagnostic> for Fault {
+    fn from(diagnostic: Diagnostic) -> Fault {
+        Fault { diagnostic, irrational: false }
+    }
+}

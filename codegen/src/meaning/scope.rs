@@ -1,0 +1,177 @@
+//! The names of one item and their values.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use hodograph_algebra::{Calculus, Interval, Poly, SweptSurface, Variable, Vector};
+
+use super::fault::Fault;
+use super::value::{ComplexFraction, Value};
+use crate::language::ast::Name;
+use crate::language::{Diagnostic, Span, closest};
+
+/// Functions of the language, which cannot be redefined.
+pub(super) const FUNCTIONS: &[&str] = &[
+    "abs", "approx", "bezier", "conj", "coprime", "cos", "cross", "curvature", "curve_from_hodograph", "degree", "diff", "dot", "exp", "gcd",
+    "homogeneous", "im", "is_rational", "norm2", "normal", "offset", "parallel", "ph", "ph_hermite",
+    "polynomial_curve", "positive", "rational_curve", "re", "regular_curve", "sin", "sqrt",
+];
+
+/// Names that always have a value, which cannot be redefined.
+const CONSTANTS: &[&str] = &["I", "i", "j", "k", "pi"];
+
+/// What a clause introduces besides its own name.
+#[derive(Clone, Debug, Default)]
+struct News {
+    symbols: Vec<Variable>,
+    calculus: Option<Rc<Calculus>>,
+}
+
+/// The names of one item and their values.
+#[derive(Clone, Debug)]
+pub(super) struct Scope {
+    values: BTreeMap<String, (Value, Span)>,
+    /// The parameters, in their order.
+    pub(super) parameters: Vec<Variable>,
+    /// The interval of each parameter that has a domain.
+    pub(super) domains: BTreeMap<Variable, Interval>,
+    /// Unknown constants, in the order of their declaration.
+    pub(super) symbols: Vec<Variable>,
+    /// Unknown functions.
+    pub(super) calculus: Rc<Calculus>,
+    /// The curve that the clause under way defines.
+    pub(super) curve: Option<super::curves::CurveContext>,
+    /// Symbols and rules that the clause under way introduces.
+    news: RefCell<News>,
+    /// The item's own surface.
+    pub(super) surface: Option<Rc<SweptSurface>>,
+}
+
+impl Scope {
+    /// A scope with nothing but the parameters.
+    pub(super) fn new(parameters: Vec<Variable>) -> Scope {
+        Scope {
+            values: BTreeMap::new(),
+            parameters,
+            domains: BTreeMap::new(),
+            symbols: Vec::new(),
+            calculus: Rc::default(),
+            curve: None,
+            news: RefCell::default(),
+            surface: None,
+        }
+    }
+
+    /// Introduces symbols with the clause under way.
+    pub(super) fn announce(&self, symbols: impl IntoIterator<Item = Variable>) {
+        self.news.borrow_mut().symbols.extend(symbols);
+    }
+
+    /// Introduces rules for derivatives with the clause under way.
+    pub(super) fn announce_calculus(&self, calculus: Rc<Calculus>) {
+        self.news.borrow_mut().calculus = Some(calculus);
+    }
+
+    /// Takes over what the clause that stands at `span` has introduced.
+    pub(super) fn settle(&mut self, span: Span) -> Result<(), Diagnostic> {
+        let mut news = self.news.take();
+        if let Some(calculus) = news.calculus {
+            self.calculus = calculus;
+        }
+        news.symbols.sort();
+        news.symbols.dedup();
+        for symbol in news.symbols {
+            let name = Name { value: symbol.name().to_owned(), span };
+            self.define(&name, Value::Scalar(Poly::variable(&symbol).into()))?;
+            self.symbols.push(symbol);
+        }
+        Ok(())
+    }
+
+    /// Defines a name.
+    pub(super) fn define(&mut self, name: &Name, value: Value) -> Result<(), Diagnostic> {
+        self.check_new(name)?;
+        self.values.insert(name.value.clone(), (value, name.span));
+        Ok(())
+    }
+
+    /// Reports a name that has a meaning already.
+    pub(super) fn check_new(&self, name: &Name) -> Result<(), Diagnostic> {
+        let text = name.value.as_str();
+        if let Some((_, first)) = self.values.get(text) {
+            let message = format!("`{text}` is defined twice");
+            return Err(Diagnostic::new(name.span, message).also(*first, "first defined here").help("use another name"));
+        }
+        let taken = if CONSTANTS.contains(&text) || FUNCTIONS.contains(&text) {
+            "has a meaning of its own"
+        } else if self.parameters.iter().any(|parameter| parameter.name() == text) {
+            "is a parameter"
+        } else if self.surface.is_some() && COORDINATES.contains(&text) {
+            "is a homogeneous coordinate of the surface"
+        } else if is_radical(text) {
+            "is reserved for square roots"
+        } else {
+            return Ok(());
+        };
+        Err(Diagnostic::new(name.span, format!("`{text}` {taken}")).help("use another name"))
+    }
+
+    /// The value of a name.
+    pub(super) fn value(&self, name: &str, span: Span) -> Result<Value, Fault> {
+        if let Some((value, _)) = self.values.get(name) {
+            return Ok(value.clone());
+        }
+        if let Some(parameter) = self.parameters.iter().find(|parameter| parameter.name() == name) {
+            return Ok(Value::Scalar(Poly::variable(parameter).into()));
+        }
+        if let Some(value) = constant(name) {
+            return Ok(value);
+        }
+        if let (Some(surface), Some(index)) = (&self.surface, COORDINATES.iter().position(|known| *known == name)) {
+            return Ok(Value::Scalar(surface.homogeneous().coordinates()[index].clone().into()));
+        }
+        if FUNCTIONS.contains(&name) {
+            let fault = Fault::new(span, format!("`{name}` is a function and needs arguments"));
+            return Err(fault.help(format!("write `{name}(…)`")));
+        }
+        Err(self.unknown(name, span))
+    }
+
+    /// An unknown name, with the closest known one.
+    fn unknown(&self, name: &str, span: Span) -> Fault {
+        let parameters = self.parameters.iter().map(Variable::name);
+        let known = self.values.keys().map(String::as_str).chain(parameters);
+        let coordinates = COORDINATES.iter().filter(|_| self.surface.is_some());
+        let known = known.chain(FUNCTIONS.iter().copied()).chain(CONSTANTS.iter().copied()).chain(coordinates.copied());
+        let fault = Fault::new(span, format!("`{name}` is not defined"));
+        match closest(name, known) {
+            Some(similar) => fault.help(format!("did you mean `{similar}`?")),
+            None if COORDINATES.contains(&name) => fault.help("W, X, Y and Z are known after `surface`"),
+            None => fault.help("define it before its use: `let`, `symbol`, `function`, `profile`, `path` or `curve`"),
+        }
+    }
+}
+
+/// The homogeneous coordinates of an item's surface.
+pub(super) const COORDINATES: [&str; 4] = ["W", "X", "Y", "Z"];
+
+fn constant(name: &str) -> Option<Value> {
+    Some(match name {
+        "i" => Value::Vector(Vector::unit(0)),
+        "j" => Value::Vector(Vector::unit(1)),
+        "k" => Value::Vector(Vector::unit(2)),
+        "pi" => Value::Scalar(Poly::variable(&Variable::new(Variable::SYMBOL, "pi")).into()),
+        "I" => {
+            let one = ComplexFraction::from(hodograph_algebra::Fraction::one());
+            Value::Complex(ComplexFraction { re: one.im, im: one.re })
+        }
+        _ => return None,
+    })
+}
+
+/// Whether a name is one that generators of number fields print with: `sqrt2`, `theta`, `theta2`.
+fn is_radical(name: &str) -> bool {
+    let digits = name.strip_prefix("sqrt").filter(|rest| !rest.is_empty()).or(name.strip_prefix("theta"));
+    digits.is_some_and(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))
+}

@@ -1,0 +1,163 @@
+//! The values of expressions.
+
+use std::rc::Rc;
+
+use hodograph_algebra::{Bidegree, Curve, Fraction, OffsetError, SweptSurface, Variable, Vector};
+
+/// The value of an expression.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// A real number, or a function of the parameters and symbols.
+    Scalar(Fraction),
+    /// A complex number or function.
+    Complex(ComplexFraction),
+    /// A vector in space.
+    Vector(Vector),
+    /// A tuple `(a, b, …)` as written: a vector of the plane or of space, degrees, or homogeneous coordinates.
+    Tuple(Vec<Fraction>),
+    /// A list `[a, b, …]`.
+    List(Vec<Value>),
+    /// A curve with its properties.
+    Curve(Rc<Curve>),
+    /// A surface.
+    Surface(Rc<SweptSurface>),
+    /// A surface that may not be rational: the offset of a surface.
+    Offset(Rc<Result<SweptSurface, OffsetError>>),
+    /// A function of parameters, `let c(v) = …`.
+    Function(Rc<FunctionValue>),
+    /// The degrees of polynomials.
+    Degree(Bidegree),
+    /// A text.
+    Text(String),
+}
+
+/// A complex rational function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComplexFraction {
+    /// The real part.
+    pub re: Fraction,
+    /// The imaginary part.
+    pub im: Fraction,
+}
+
+impl ComplexFraction {
+    /// The product.
+    #[must_use]
+    pub fn times(&self, other: &ComplexFraction) -> ComplexFraction {
+        ComplexFraction {
+            re: &(&self.re * &other.re) - &(&self.im * &other.im),
+            im: &(&self.re * &other.im) + &(&self.im * &other.re),
+        }
+    }
+
+    /// The conjugate.
+    #[must_use]
+    pub fn conj(&self) -> ComplexFraction {
+        ComplexFraction { re: self.re.clone(), im: -&self.im }
+    }
+
+    /// The squared absolute value.
+    #[must_use]
+    pub fn norm2(&self) -> Fraction {
+        &(&self.re * &self.re) + &(&self.im * &self.im)
+    }
+
+    /// The reciprocal; `None` for zero.
+    #[must_use]
+    pub fn reciprocal(&self) -> Option<ComplexFraction> {
+        let inverse = self.norm2().reciprocal(&[])?;
+        Some(ComplexFraction { re: &self.re * &inverse, im: -&(&self.im * &inverse) })
+    }
+}
+
+impl From<Fraction> for ComplexFraction {
+    fn from(re: Fraction) -> ComplexFraction {
+        ComplexFraction { re, im: Fraction::zero() }
+    }
+}
+
+/// A value that depends on named parameters.
+#[derive(Clone, Debug)]
+pub struct FunctionValue {
+    /// The parameters, in the order of a call.
+    pub parameters: Vec<Variable>,
+    /// The value for the parameters as they are.
+    pub value: Value,
+}
+
+impl Value {
+    /// What it is, with an article, as messages say it.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Value::Scalar(value) if value.to_number().is_some() => "a number",
+            Value::Scalar(_) => "a scalar function",
+            Value::Complex(_) => "a complex number",
+            Value::Vector(_) => "a vector",
+            Value::Tuple(parts) if parts.len() <= 3 => "a vector",
+            Value::Tuple(_) => "a list of homogeneous coordinates",
+            Value::List(_) => "a list",
+            Value::Curve(_) => "a curve",
+            Value::Surface(_) => "a surface",
+            Value::Offset(_) => "an offset surface",
+            Value::Function(_) => "a function",
+            Value::Degree(_) => "a degree",
+            Value::Text(_) => "a text",
+        }
+    }
+
+    /// The value itself, of a function for its parameters as they are.
+    #[must_use]
+    pub fn bare(&self) -> &Value {
+        match self {
+            Value::Function(function) => function.value.bare(),
+            other => other,
+        }
+    }
+
+    /// The scalar that it is.
+    #[must_use]
+    pub fn scalar(&self) -> Option<Fraction> {
+        match self.bare() {
+            Value::Scalar(value) => Some(value.clone()),
+            Value::Complex(value) if value.im.is_zero() => Some(value.re.clone()),
+            _ => None,
+        }
+    }
+
+    /// The vector that it is: also a pair or triple, a curve's position, a surface's.
+    #[must_use]
+    pub fn vector(&self) -> Option<Vector> {
+        match self.bare() {
+            Value::Vector(vector) => Some(vector.clone()),
+            Value::Tuple(parts) => match parts.as_slice() {
+                [x, y] => Some(Vector::new(x.clone(), y.clone(), Fraction::zero())),
+                [x, y, z] => Some(Vector::new(x.clone(), y.clone(), z.clone())),
+                _ => None,
+            },
+            Value::Curve(curve) => Some(curve.position().clone()),
+            Value::Surface(surface) => Some(surface.position().clone()),
+            Value::Offset(offset) => offset.as_ref().as_ref().ok().map(|surface| surface.position().clone()),
+            _ => None,
+        }
+    }
+
+    /// The complex number that it is; real ones count.
+    #[must_use]
+    pub fn complex(&self) -> Option<ComplexFraction> {
+        match self.bare() {
+            Value::Scalar(value) => Some(value.clone().into()),
+            Value::Complex(value) => Some(value.clone()),
+            _ => None,
+        }
+    }
+
+    /// The components of a tuple of any length, or of a vector.
+    #[must_use]
+    pub fn components(&self) -> Option<Vec<Fraction>> {
+        match self.bare() {
+            Value::Tuple(parts) => Some(parts.clone()),
+            other => other.vector().map(|vector| vector.components().to_vec()),
+        }
+    }
+}

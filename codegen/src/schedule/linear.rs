@@ -1,0 +1,116 @@
+//! Linear algebra over a number field: row reduction and what follows from it.
+//!
+//! Numbers are polynomials without variables. Matrices are lists of rows of equal length; they are small (a row for
+//! each power of a parameter), so nothing here is clever.
+
+use hodograph_algebra::{Poly, budget};
+
+/// The reduced row echelon form of the rows, without zero rows, and the pivot column of each row.
+///
+/// Gauss–Jordan elimination: O(rows² · columns) operations of the field.
+pub(super) fn reduce(mut rows: Vec<Vec<Poly>>) -> (Vec<Vec<Poly>>, Vec<usize>) {
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut pivots = Vec::new();
+    for column in 0..columns {
+        let done = pivots.len();
+        let Some(found) = (done..rows.len()).find(|&i| !rows[i][column].is_zero()) else { continue };
+        rows.swap(done, found);
+        budget::spend((rows.len() * columns) as u64);
+        let inverse = rows[done][column].inverse();
+        for entry in &mut rows[done] {
+            *entry = &*entry * &inverse;
+        }
+        let pivot = rows[done].clone();
+        for (i, row) in rows.iter_mut().enumerate() {
+            if i == done || row[column].is_zero() {
+                continue;
+            }
+            let factor = row[column].clone();
+            for (entry, above) in row.iter_mut().zip(&pivot) {
+                if !above.is_zero() {
+                    *entry = &*entry - &(&factor * above);
+                }
+            }
+        }
+        pivots.push(column);
+    }
+    rows.truncate(pivots.len());
+    (rows, pivots)
+}
+
+/// The number of independent rows.
+pub(super) fn rank(rows: &[Vec<Poly>]) -> usize {
+    reduce(rows.to_vec()).1.len()
+}
+
+/// Numbers `c` with `Σ c_k · vectors[k] = target`, or `None` if there are none.
+///
+/// Where they are not unique, those that need not be there are zero, the later ones first.
+pub(super) fn combine(vectors: &[Vec<Poly>], target: &[Poly]) -> Option<Vec<Poly>> {
+    let rows: Vec<Vec<Poly>> = (0..target.len())
+        .map(|i| vectors.iter().map(|vector| vector[i].clone()).chain([target[i].clone()]).collect())
+        .collect();
+    let (rows, pivots) = reduce(rows);
+    if pivots.last() == Some(&vectors.len()) {
+        return None;
+    }
+    let mut solution = vec![Poly::zero(); vectors.len()];
+    for (row, &pivot) in rows.iter().zip(&pivots) {
+        solution[pivot] = row[vectors.len()].clone();
+    }
+    Some(solution)
+}
+
+/// A basis of the numbers `c` with `Σ c_k · vectors[k] = 0`.
+pub(super) fn relations(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
+    let length = vectors.first().map_or(0, Vec::len);
+    let rows: Vec<Vec<Poly>> =
+        (0..length).map(|i| vectors.iter().map(|vector| vector[i].clone()).collect()).collect();
+    let (rows, pivots) = reduce(rows);
+    let free = (0..vectors.len()).filter(|k| !pivots.contains(k));
+    free.map(|k| {
+        let mut relation = vec![Poly::zero(); vectors.len()];
+        relation[k] = Poly::one();
+        for (row, &pivot) in rows.iter().zip(&pivots) {
+            relation[pivot] = -&row[k];
+        }
+        relation
+    })
+    .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use hodograph_algebra::{Poly, integer};
+
+    use super::{combine, rank, reduce, relations};
+
+    fn rows(entries: &[&[i64]]) -> Vec<Vec<Poly>> {
+        entries.iter().map(|row| row.iter().map(|&entry| Poly::integer(entry)).collect()).collect()
+    }
+
+    #[test]
+    fn reduced_forms_and_ranks() {
+        let matrix = rows(&[&[0, 2, 4], &[1, 1, 1], &[1, 2, 3]]);
+        assert_eq!(reduce(matrix.clone()), (rows(&[&[1, 0, -1], &[0, 1, 2]]), vec![0, 1]));
+        assert_eq!(rank(&matrix), 2);
+        assert_eq!(rank(&[]), 0);
+    }
+
+    #[test]
+    fn combinations_and_relations() {
+        let vectors = rows(&[&[1, 0, 1], &[0, 1, 1], &[1, 1, 2]]);
+        let target = [Poly::integer(3), Poly::integer(4), Poly::integer(7)];
+        let found = combine(&vectors, &target).map(|c| c.iter().map(Poly::to_string).collect::<Vec<_>>());
+        assert_eq!(found, Some(vec!["3".to_string(), "4".to_string(), "0".to_string()]));
+        assert_eq!(combine(&vectors, &[Poly::one(), Poly::zero(), Poly::zero()]), None);
+        assert_eq!(relations(&vectors), rows(&[&[-1, -1, 1]]));
+    }
+
+    #[test]
+    fn radicals_are_numbers_too() {
+        let root = Poly::sqrt_of(&integer(2));
+        let matrix = vec![vec![root.clone(), Poly::integer(2)], vec![Poly::one(), root]];
+        assert_eq!(rank(&matrix), 1);
+    }
+}

@@ -1,0 +1,322 @@
+//! Evaluation of polynomials of one parameter, as operations of a program.
+
+use hodograph_algebra::{Poly, Rational, Variable};
+
+use super::quotient::{Quotient, proportional, ratio_of};
+use super::separate::Parameters;
+use crate::program::{Constant, Input, Operation, Program, Stage, Table, Value};
+use crate::round::{exact, nearest};
+
+impl Constant for Poly {
+    fn is_zero(&self) -> bool {
+        Poly::is_zero(self)
+    }
+
+    fn is_one(&self) -> bool {
+        Poly::is_one(self)
+    }
+}
+
+/// A program under construction, and which polynomials it evaluates already.
+pub(super) struct Builder<'a> {
+    pub(super) program: Program<Poly>,
+    pub(super) parameters: &'a Parameters,
+    /// Names for polynomials of one parameter, the sign included.
+    pub(super) known: &'a [(String, Poly)],
+    /// What has been evaluated, by Horner's scheme or as a product.
+    evaluated: Vec<(Poly, Value)>,
+    /// Denominators that are divided by more than once.
+    shared: Vec<Poly>,
+    /// For each parameter a place near the middle of its domain, and the distance to the domain's ends.
+    centers: [Option<Center>; 2],
+    /// How many polynomials of u and of v have been given a name here.
+    unnamed: [usize; 2],
+}
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(
+        parameters: &'a Parameters,
+        known: &'a [(String, Poly)],
+        domain: &[[Rational; 2]; 2],
+    ) -> Builder<'a> {
+        let (program, centers) = (Program::new(), domain.each_ref().map(Center::of));
+        Builder {
+            centers,
+            program,
+            parameters,
+            known,
+            evaluated: Vec::new(),
+            shared: Vec::new(),
+            unnamed: [0, 0],
+        }
+    }
+
+    /// Evaluates polynomials of one parameter, smaller ones first, so that they serve as factors of larger ones.
+    pub(super) fn prepare<'b>(&mut self, polys: impl IntoIterator<Item = &'b Poly>) {
+        let mut polys: Vec<&Poly> = polys.into_iter().collect();
+        polys.sort_by_key(|poly| {
+            self.parameter(poly).map_or(0, |(variable, _)| poly.degree(&variable).unwrap_or(0))
+        });
+        for poly in polys {
+            self.polynomial(poly);
+        }
+    }
+
+    /// Makes denominators that occur more than once known, so that they are divided by once.
+    pub(super) fn share<'b>(&mut self, quotients: impl IntoIterator<Item = &'b Quotient>) {
+        let mut seen: Vec<&Quotient> = Vec::new();
+        for quotient in quotients {
+            if quotient.denominator.is_one() || quotient.is_zero() {
+                continue;
+            }
+            let same = |other: &&Quotient| {
+                other.denominator == quotient.denominator
+                    && other.numerator != quotient.numerator
+                    && other.numerator != -&quotient.numerator
+            };
+            if seen.iter().any(same) && !self.shared.contains(&quotient.denominator) {
+                self.shared.push(quotient.denominator.clone());
+            }
+            seen.push(quotient);
+        }
+    }
+
+    /// The value of a quotient of polynomials of one parameter.
+    pub(super) fn quotient(&mut self, quotient: &Quotient) -> Value {
+        let numerator = self.polynomial(&quotient.numerator);
+        if quotient.denominator.is_one() {
+            return numerator;
+        }
+        let denominator = self.polynomial(&quotient.denominator);
+        let (negative, magnitude) = self.split_sign(numerator);
+        let value = if self.shared.contains(&quotient.denominator) {
+            let one = self.program.constant(Poly::one());
+            let reciprocal = self.program.divide(one, denominator);
+            if let Some(name) = self.program.name_of(denominator) {
+                let name = format!("{name}_inverse");
+                self.program.name(reciprocal, &name);
+            }
+            self.program.multiply(magnitude, reciprocal)
+        } else {
+            self.program.divide(magnitude, denominator)
+        };
+        if let (Some(above), Some(below)) =
+            (self.program.name_of(magnitude), self.program.name_of(denominator))
+        {
+            let name = format!("{above}_over_{below}");
+            self.program.name(value, &name);
+        }
+        if negative { self.program.negate(value) } else { value }
+    }
+
+    /// The value of a polynomial of at most one parameter.
+    ///
+    /// A multiple of a polynomial that is evaluated already, or a product with one, costs one operation more than that.
+    pub(super) fn polynomial(&mut self, poly: &Poly) -> Value {
+        let Some((variable, input)) = self.parameter(poly) else {
+            return self.program.constant(poly.pruned());
+        };
+        let worth = |known: &Poly| known == poly || *known == -poly || poly.degree(&variable) > Some(1);
+        if let Some((known, value)) =
+            self.evaluated.iter().find(|(known, _)| proportional(known, poly) && worth(known))
+        {
+            let (factor, value) = (ratio_of(poly, known), *value);
+            return self.scaled(&factor, value);
+        }
+        if let Some((name, known)) = self.known.iter().find(|(_, known)| known == poly || *known == -poly) {
+            let value = self.new_polynomial(known, &variable, input, Some(name));
+            return if known == poly { value } else { self.program.negate(value) };
+        }
+        self.new_polynomial(poly, &variable, input, None)
+    }
+
+    /// A sum of products; the terms that are known earliest are added first.
+    pub(super) fn sum_of_products(&mut self, products: &[(Value, Value)]) -> Value {
+        let mut terms: Vec<(bool, Value)> = products
+            .iter()
+            .map(|&(a, b)| {
+                let ((minus_a, a), (minus_b, b)) = (self.split_sign(a), self.split_sign(b));
+                (minus_a != minus_b, self.program.multiply(a, b))
+            })
+            .collect();
+        terms.sort_by_key(|&(negative, value)| (self.program.stage(value), negative));
+        let mut terms = terms.into_iter();
+        let Some(first) = terms.next() else { return self.program.constant(Poly::zero()) };
+        let (negative, sum) = terms.fold(first, |(negative, sum), (minus, term)| match (negative, minus) {
+            (false, false) | (true, true) => (negative, self.program.add(sum, term)),
+            (false, true) => (false, self.program.subtract(sum, term)),
+            (true, false) => (false, self.program.subtract(term, sum)),
+        });
+        if negative { self.program.negate(sum) } else { sum }
+    }
+
+    fn split_sign(&self, value: Value) -> (bool, Value) {
+        match *self.program.operation(value) {
+            Operation::Negate(a) => (true, a),
+            _ => (false, value),
+        }
+    }
+
+    /// The parameter that occurs in `poly`, if one does.
+    fn parameter(&self, poly: &Poly) -> Option<(Variable, Input)> {
+        let Parameters { u, v } = self.parameters;
+        [(u, Input::U), (v, Input::V)]
+            .into_iter()
+            .find(|(variable, _)| poly.contains(variable))
+            .map(|(variable, input)| (variable.clone(), input))
+    }
+
+    fn scaled(&mut self, factor: &Poly, value: Value) -> Value {
+        if (-factor).is_one() {
+            return self.program.negate(value);
+        }
+        let factor = self.program.constant(factor.pruned());
+        self.program.multiply(factor, value)
+    }
+
+    fn new_polynomial(
+        &mut self,
+        poly: &Poly,
+        variable: &Variable,
+        input: Input,
+        name: Option<&str>,
+    ) -> Value {
+        let degree = |poly: &Poly| poly.degree(variable).unwrap_or(0);
+        let factors = self.evaluated.iter().filter(|(factor, _)| degree(factor) > 1);
+        let quotients =
+            factors.filter_map(|(factor, value)| Some((degree(factor), *value, poly.exact_div(factor)?)));
+        let value = match quotients.max_by_key(|(degree, ..)| *degree) {
+            Some((_, value, cofactor)) => {
+                let cofactor = self.polynomial(&cofactor);
+                self.program.multiply(cofactor, value)
+            }
+            None => {
+                let parameter = self.program.input(input);
+                let center =
+                    self.centers[input as usize].as_ref().filter(|center| center.helps(poly, variable));
+                let (coefficients, base) = match center.map(|center| center.place.clone()) {
+                    None => (poly.coefficients(variable), parameter),
+                    Some(place) => {
+                        let moved = poly.substitute(variable, &(Poly::variable(variable) + &place));
+                        let place = self.program.constant(place);
+                        (moved.coefficients(variable), self.program.subtract(parameter, place))
+                    }
+                };
+                let value = self.horner(&coefficients, base);
+                self.describe(value, poly, &coefficients, name);
+                value
+            }
+        };
+        if let Some(name) = name {
+            self.program.name(value, name);
+        }
+        self.evaluated.push((poly.clone(), value));
+        value
+    }
+
+    /// Horner's scheme for coefficients of powers of `parameter`, in the greatest power of the parameter that the polynomial is a polynomial of, after its least
+    /// power is taken out.
+    fn horner(&mut self, coefficients: &[Poly], parameter: Value) -> Value {
+        let lowest = coefficients.iter().position(|c| !c.is_zero()).unwrap_or(0);
+        let coefficients = &coefficients[lowest..];
+        let even = |step: &usize| {
+            coefficients.iter().enumerate().all(|(i, c)| i.is_multiple_of(*step) || c.is_zero())
+        };
+        let step = (1..=coefficients.len()).rev().find(even).unwrap_or(1);
+        let base = self.power(parameter, step);
+        let mut sum = self.program.constant(Poly::zero());
+        for coefficient in coefficients.iter().step_by(step).rev() {
+            let constant = self.program.constant(coefficient.pruned());
+            sum = match self.program.operation(sum) {
+                // The leading coefficient −1 is a subtraction.
+                Operation::Constant(leading) if (-leading).is_one() => self.program.subtract(constant, base),
+                _ => {
+                    let product = self.program.multiply(sum, base);
+                    self.program.add(product, constant)
+                }
+            };
+        }
+        if lowest == 0 {
+            return sum;
+        }
+        let power = self.power(parameter, lowest);
+        self.program.multiply(sum, power)
+    }
+
+    /// `base` to a positive power, by squaring.
+    fn power(&mut self, base: Value, exponent: usize) -> Value {
+        if exponent <= 1 {
+            return base;
+        }
+        let half = self.power(base, exponent / 2);
+        let square = self.program.multiply(half, half);
+        if exponent.is_multiple_of(2) { square } else { self.program.multiply(square, base) }
+    }
+
+    /// Names the value of a polynomial that has a degree above 1, and keeps its coefficients together.
+    fn describe(&mut self, value: Value, poly: &Poly, coefficients: &[Poly], name: Option<&str>) {
+        if coefficients.len() < 3 {
+            return;
+        }
+        let name = name.map_or_else(
+            || {
+                let of_u = self.program.stage(value) == Stage::U;
+                let count = &mut self.unnamed[usize::from(!of_u)];
+                *count += 1;
+                format!("{}{count}", if of_u { 'p' } else { 'q' })
+            },
+            str::to_string,
+        );
+        self.program.name(value, &name);
+        let coefficients =
+            coefficients.iter().map(|coefficient| self.program.constant(coefficient.pruned())).collect();
+        self.program.table(Table { value, name, formula: poly.to_string(), coefficients });
+    }
+}
+
+/// A place near the middle of a parameter's domain; polynomials on a domain far from zero are evaluated around it.
+struct Center {
+    /// A number with a short binary expansion, so that it is exact as a float.
+    place: Poly,
+    /// The largest distance to a point of the domain.
+    reach: f64,
+    /// The largest magnitude of a point of the domain.
+    magnitude: f64,
+}
+
+impl Center {
+    /// How many times smaller the terms around the center must be, to be worth an operation and simple coefficients.
+    const GAIN: f64 = 8.0;
+
+    /// The center of a domain; `None` if it has none with an exact float.
+    fn of([first, last]: &[Rational; 2]) -> Option<Center> {
+        let float = |value: &Rational| nearest(&Poly::constant(value.clone())).ok();
+        let (start, end) = (float(first)?, float(last)?);
+        // The place is a multiple of a power of two of the size of a quarter of the domain.
+        let step = f64::from_bits(((end - start) / 4.0).to_bits() & !((1 << 52) - 1));
+        let place = ((start / 2.0 + end / 2.0) / step).round() * step;
+        let (reach, magnitude) = ((end - place).max(place - start), start.abs().max(end.abs()));
+        let exact = exact(place)?;
+        (step > 0.0 && reach.is_finite()).then(|| Center { place: Poly::constant(exact), reach, magnitude })
+    }
+
+    /// Whether the rounding errors of Horner's scheme are much smaller around the center than around zero.
+    ///
+    /// The errors are in proportion to Σ|c_i|·r^i for the largest distance r.
+    fn helps(&self, poly: &Poly, variable: &Variable) -> bool {
+        let moved = poly.substitute(variable, &(Poly::variable(variable) + &self.place));
+        match (terms(poly, variable, self.magnitude), terms(&moved, variable, self.reach)) {
+            (Some(here), Some(there)) => here > Center::GAIN * there,
+            _ => false,
+        }
+    }
+}
+
+/// Σ|c_i|·r^i
+fn terms(poly: &Poly, variable: &Variable, r: f64) -> Option<f64> {
+    let coefficients = poly.coefficients(variable);
+    coefficients
+        .iter()
+        .rev()
+        .try_fold(0.0, |sum, coefficient| Some(sum * r + nearest(coefficient).ok()?.abs()))
+}
