@@ -15,7 +15,7 @@ use std::fmt;
 use std::panic::{self, AssertUnwindSafe};
 
 /// The limit that [`with_budget`] is given where nothing else is known: some ten seconds of optimized work.
-pub const DEFAULT_LIMIT: u64 = 20_000_000_000;
+pub const DEFAULT_LIMIT: u64 = 2_000_000_000;
 
 /// The error of a computation that reached its limit.
 #[derive(Clone, Debug, PartialEq, Eq)]

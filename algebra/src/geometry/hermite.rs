@@ -192,11 +192,13 @@ impl Hermite {
     /// The indices of the solutions that differ, in ascending order: four, or fewer where solutions coincide.
     #[must_use]
     pub fn indices(&self) -> Vec<usize> {
-        (0..4_usize).filter(|index| index.is_multiple_of(2) || !self.radicands[index / 2].0.is_zero()).collect()
+        (0..4_usize)
+            .filter(|index| index.is_multiple_of(2) || !self.radicands[index / 2].0.is_zero())
+            .collect()
     }
 
-    /// The solution with the given index, as stated at [`Hermite`], over a field that is no larger than its
-    /// coefficients need.
+    /// The solution with the given index, as stated at [`Hermite`], over a field with as few generators as
+    /// [`minimize_field`](crate::minimize_field) finds.
     ///
     /// # Errors
     /// [`HermiteError::NoSuchSolution`] if `index` is above 3.
@@ -242,10 +244,10 @@ impl Hermite {
     fn compare(&self, a: usize, b: usize) -> Ordering {
         for bits in PRECISIONS {
             let turnings = [a, b].map(|index| Turning::of(&self.rounded(index, bits)));
-            if let [Some(a), Some(b)] = turnings {
-                if let Some(order) = a.compare(&b) {
-                    return order;
-                }
+            if let [Some(a), Some(b)] = turnings
+                && let Some(order) = a.compare(&b)
+            {
+                return order;
             }
         }
         let turnings = [a, b].map(|index| {

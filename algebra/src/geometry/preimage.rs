@@ -176,8 +176,8 @@ impl Preimage {
         self.polynomial(variable).norm2() * &self.factor
     }
 
-    /// The curve that begins at `start` for the value 0 of `variable`, over one number field that is no larger than the
-    /// hodograph, speed and position together need.
+    /// The curve that begins at `start` for the value 0 of `variable`; hodograph, speed and position are over one number
+    /// field, with as few generators as [`minimize_field`] finds.
     ///
     /// Since these contain products of two coefficients only, their field can be smaller than that of the preimage:
     /// for FN Example 4 it is Q(√35), while the preimage needs √2 as well.

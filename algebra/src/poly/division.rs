@@ -6,8 +6,12 @@ use num_integer::Integer;
 use num_traits::{One, Zero};
 
 use super::ring::{Monomial, Ring};
-use super::{Poly, Term, terms};
+use super::{Poly, Term, quotient, terms};
 use crate::{Int, Rational, budget};
+
+/// Over a number field, from this many products of terms on, a quotient is found by its images modulo primes; below, by
+/// taking off terms, which costs less to set up.
+const MODULAR_FROM: usize = 500;
 
 impl Poly {
     /// The quotient `self / divisor`, if that is a polynomial.
@@ -33,6 +37,9 @@ impl Poly {
         if a.ring.field().generators().is_empty() {
             let quotient = divide(&a.ring, &a.terms, &b.terms, &bounds)?;
             return Some(Poly::from_sorted(a.ring.clone(), &a.content / &b.content, quotient));
+        }
+        if a.terms.len() * b.terms.len() > MODULAR_FROM {
+            return quotient::modular_quotient(&a, &b);
         }
         // b = c·m with m monic over the field, so a/b = (a/m)/c.
         let inverse = b.leading_coefficient().inverse();

@@ -195,26 +195,37 @@ fn max_bits(terms: &[Term]) -> u64 {
 }
 
 /// Applies the rules `g² = r` of the number field until no exponent of a generator exceeds 1.
-pub(crate) fn reduce(ring: &Ring, mut terms: Vec<Term>) -> Vec<Term> {
+pub(crate) fn reduce(ring: &Ring, terms: Vec<Term>) -> Vec<Term> {
+    reduce_earlier(ring, terms, ring.field().generators().len())
+}
+
+/// Applies the rules of the first `count` generators.
+fn reduce_earlier(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> {
     // From the last generator down: its radicand is free of itself and of later ones.
-    for position in (0..ring.field().generators().len()).rev() {
-        let word = ring.generator_word(position);
-        // An exponent may be 3 after the rule of a later generator, so once more may be needed.
-        while terms.iter().any(|term| ring.generator_exponent(term.monomial, position) > 1) {
-            let mut expanded = Vec::with_capacity(2 * terms.len());
-            for term in terms {
-                if ring.generator_exponent(term.monomial, position) < 2 {
-                    expanded.push(term);
-                    continue;
-                }
-                let rest = term.monomial.0 - 2 * word;
-                for (monomial, coefficient) in ring.rule(position) {
-                    let coefficient = &term.coefficient * coefficient;
-                    expanded.push(Term { monomial: Monomial(rest + monomial.0), coefficient });
-                }
-            }
-            terms = collect(expanded);
+    for position in (0..count).rev() {
+        if terms.iter().all(|term| ring.generator_exponent(term.monomial, position) < 2) {
+            continue;
         }
+        // The rule may add 1 to the exponents of all earlier generators, which have no room for more than 3.
+        let full = |term: &Term| (0..position).any(|i| ring.generator_exponent(term.monomial, i) > 2);
+        if terms.iter().any(full) {
+            terms = reduce_earlier(ring, terms, position);
+        }
+        // An exponent is 3 at most, so one application is enough.
+        let word = ring.generator_word(position);
+        let mut expanded = Vec::with_capacity(2 * terms.len());
+        for term in terms {
+            if ring.generator_exponent(term.monomial, position) < 2 {
+                expanded.push(term);
+                continue;
+            }
+            let rest = term.monomial.0 - 2 * word;
+            for (monomial, coefficient) in ring.rule(position) {
+                let coefficient = &term.coefficient * coefficient;
+                expanded.push(Term { monomial: Monomial(rest + monomial.0), coefficient });
+            }
+        }
+        terms = collect(expanded);
     }
     terms
 }

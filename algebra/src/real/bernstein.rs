@@ -135,7 +135,8 @@ impl Bernstein {
             let weight = |i: usize| Rational::new(Int::from(i as u64), Int::from(raised));
             let element = |i: usize| {
                 let before = i.checked_sub(1).map_or(Poly::zero(), |before| line[before].scale(&weight(i)));
-                let here = line.get(i).map_or(Poly::zero(), |here| here.scale(&(Rational::one() - weight(i))));
+                let here =
+                    line.get(i).map_or(Poly::zero(), |here| here.scale(&(Rational::one() - weight(i))));
                 before + here
             };
             (0..=line.len()).map(element).collect()
@@ -176,7 +177,10 @@ impl Bernstein {
     /// root isolation*, 2005).
     #[must_use]
     pub fn sign_variations(&self) -> Option<usize> {
-        self.coefficients.iter().all(Poly::is_constant).then(|| variations(self.coefficients.iter().map(Poly::sign)))
+        self.coefficients
+            .iter()
+            .all(Poly::is_constant)
+            .then(|| variations(self.coefficients.iter().map(Poly::sign)))
     }
 
     /// The least and the greatest coefficient, between which lie all values on the box; `None` if a coefficient is not a
@@ -269,7 +273,7 @@ fn collapse(coefficients: &[Poly], axes: &[Axis]) -> Poly {
     let power = |i: usize| -> Poly {
         let term = |j: usize| {
             let scaled = values[j].scale(&Rational::from(binomial[i][j].clone()));
-            if (i - j) % 2 == 0 { scaled } else { -scaled }
+            if (i - j).is_multiple_of(2) { scaled } else { -scaled }
         };
         (0..=i).map(term).sum::<Poly>().scale(&Rational::from(binomial[degree][i].clone()))
     };

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::bernstein::{Bernstein, variations};
 use super::interval::Interval;
@@ -63,26 +63,81 @@ pub(crate) fn isolate(poly: &Poly, variable: &Variable, lower: &Rational, upper:
     places
 }
 
-/// Halves an open interval at whose ends `poly` does not vanish and inside which it has one simple root; `rising` tells
-/// whether it is negative at the lower end.
-pub(crate) fn bisect(
+/// Narrows an open interval, at whose ends `poly` does not vanish and inside which it has one simple root, to at most
+/// `width`; `rising` tells whether `poly` is negative at the lower end.
+///
+/// Quadratic interval refinement: the secant proposes one of `2^bits` parts of the interval, and two signs show whether
+/// the root is there; each success doubles `bits`, so that the number of correct digits is doubled as well, and each
+/// failure halves it. With one bit it is bisection, which never fails (Abbott, *Quadratic interval refinement for real
+/// roots*, 2006).
+pub(crate) fn narrow(
     poly: &Poly,
     variable: &Variable,
-    lower: &Rational,
-    upper: &Rational,
+    (mut lower, mut upper): (Rational, Rational),
     rising: bool,
+    width: &Rational,
 ) -> Place {
-    let middle = (lower + upper) * ratio(1, 2);
-    match (sign_at(poly, variable, &middle), rising) {
-        (Ordering::Equal, _) => Place::Point(middle),
-        (Ordering::Less, true) | (Ordering::Greater, false) => Place::Open(middle, upper.clone()),
-        _ => Place::Open(lower.clone(), middle),
+    let mut bits = 1;
+    while &upper - &lower > *width {
+        let count = Int::ONE.shl(bits);
+        let step = (&upper - &lower) / Rational::from(count.clone());
+        let guess = if bits == 1 { Int::ONE } else { secant(poly, variable, &lower, &upper, bits) };
+        let guess = guess.clamp(Int::ONE, &count - Int::ONE);
+        let at = |index: &Int| &lower + &step * Rational::from(index.clone());
+        let is_below = |index: &Int| -> Option<bool> {
+            if index.is_zero() || *index == count {
+                return Some(index.is_zero());
+            }
+            match sign_at(poly, variable, &at(index)) {
+                Ordering::Equal => None,
+                sign => Some(sign.is_lt() == rising),
+            }
+        };
+        let Some(guess_is_below) = is_below(&guess) else { return Place::Point(at(&guess)) };
+        let neighbor = if guess_is_below { &guess + Int::ONE } else { &guess - Int::ONE };
+        let Some(neighbor_is_below) = is_below(&neighbor) else { return Place::Point(at(&neighbor)) };
+        let (guess, neighbor) = (at(&guess), at(&neighbor));
+        match (guess_is_below, neighbor_is_below) {
+            (true, false) => (lower, upper) = (guess, neighbor),
+            (false, true) => (lower, upper) = (neighbor, guess),
+            (true, true) => lower = neighbor,
+            (false, false) => upper = neighbor,
+        }
+        bits = if guess_is_below == neighbor_is_below { (bits / 2).max(1) } else { 2 * bits };
     }
+    Place::Open(lower, upper)
+}
+
+/// `2^bits` times the position, between 0 and 1, at which the secant from end to end vanishes, rounded.
+fn secant(poly: &Poly, variable: &Variable, lower: &Rational, upper: &Rational, bits: u64) -> Int {
+    let [from, to] = [lower, upper].map(|end| poly.at(&[(variable, end)]));
+    let position = &from * (&from - to).inverse();
+    let scaled = position.enclosure(bits + 2).lower() * Rational::from(Int::ONE.shl(bits));
+    scaled.round().to_integer()
 }
 
 /// The sign of a polynomial in one variable at a rational point.
+///
+/// Over the rationals, Horner's rule for the homogeneous polynomial `Σ aᵢ·pⁱ·qⁿ⁻ⁱ` in the numerator and denominator of
+/// the point.
 pub(crate) fn sign_at(poly: &Poly, variable: &Variable, value: &Rational) -> Ordering {
-    poly.at(&[(variable, value)]).sign()
+    let ring = poly.ring();
+    let (true, Some(position)) = (ring.field().generators().is_empty(), ring.position(variable)) else {
+        return poly.at(&[(variable, value)]).sign();
+    };
+    let (p, q) = (value.numer(), value.denom());
+    let (mut sum, mut power) = (Int::ZERO, Int::ONE);
+    let mut terms = poly.terms().iter().peekable();
+    for exponent in (0..=poly.degree(variable).unwrap_or(0)).rev() {
+        sum *= p;
+        if let Some(term) = terms.next_if(|term| ring.exponent(term.monomial, position) == exponent) {
+            sum += &term.coefficient * &power;
+        }
+        power *= q;
+        budget::spend(1 + power.bits() / 64);
+    }
+    let sign = sum.cmp(&Int::ZERO);
+    if poly.content().is_negative() { sign.reverse() } else { sign }
 }
 
 /// A power of two that exceeds the absolute values of all real roots of a polynomial of positive degree: at least
@@ -133,6 +188,44 @@ mod tests {
         assert!(matches!(&places[2], Place::Open(a, b) if *a < ratio(1, 3) && *b > ratio(1, 3)));
         assert_eq!(places[4], Place::Point(integer(1)));
         assert_eq!(isolate(&poly, &u, &integer(1), &integer(1)), [Place::Point(integer(1))]);
+    }
+
+    #[test]
+    fn signs_agree_with_evaluation() {
+        let u = Variable::new(0, "u");
+        let x = Poly::variable(&u);
+        for f in
+            [x.pow(5) - x.pow(2).scale(&ratio(7, 3)) + Poly::one(), Poly::integer(2) - &x * &x, x.clone()]
+        {
+            for n in -9..9 {
+                let value = ratio(n, 4);
+                assert_eq!(sign_at(&f, &u, &value), f.at(&[(&u, &value)]).sign(), "{f} at {value}");
+            }
+        }
+    }
+
+    #[test]
+    fn narrow_intervals_hold_the_root() {
+        let u = Variable::new(0, "u");
+        let x = Poly::variable(&u);
+        let root = Poly::sqrt_of(&integer(2));
+        for (f, rising) in [
+            (x.pow(2) - Poly::integer(2), true),
+            (&root - &x, false),
+            (&root * &x - x.pow(7).scale(&ratio(1, 4)), false),
+        ] {
+            let width = Rational::new(Int::ONE, Int::ONE.shl(300));
+            let ends = (integer(1), integer(2));
+            let Place::Open(lower, upper) = narrow(&f, &u, ends, rising, &width) else { panic!("{f}") };
+            assert!(&upper - &lower <= width);
+            assert_ne!(sign_at(&f, &u, &lower), sign_at(&f, &u, &upper));
+            assert_eq!(sign_at(&f, &u, &lower).is_lt(), rising);
+        }
+        let third = &x - Poly::constant(ratio(3, 2));
+        assert_eq!(
+            narrow(&third, &u, (integer(1), integer(2)), true, &ratio(1, 9)),
+            Place::Point(ratio(3, 2))
+        );
     }
 
     #[test]

@@ -240,8 +240,7 @@ mod tests {
         let (x, y) = (Poly::variable(&u), Poly::variable(&v));
         let root = Poly::sqrt_of(&integer(2));
         let f = x.pow(3) * &root - &x * &y * Poly::integer(3) + y.pow(2).scale(&ratio(1, 3)) - &root;
-        let domain =
-            [(u, Interval::new(Poly::integer(-1), root).unwrap()), (v, Interval::unit())];
+        let domain = [(u, Interval::new(Poly::integer(-1), root).unwrap()), (v, Interval::unit())];
         let form = Bernstein::new(&f, &domain);
         let net = Net::new(&form).unwrap();
         for axis in 0..2 {

@@ -87,9 +87,8 @@ impl Poly {
     /// let (u, v) = (Variable::new(0, "u"), Variable::new(1, "v"));
     /// let (x, y) = (Poly::variable(&u), Poly::variable(&v));
     /// let domain = [(u, Interval::unit()), (v, Interval::unit())];
-    /// let f = (x.scale(&2.into()) - Poly::one()).pow(2) * (&x + y.pow(2) - Poly::integer(1));
-    /// # let f: Poly = f;
-    /// assert_eq!(f.zeros_on(&domain).unwrap().to_string(), "u = 1/2; v^2 + u - 1 = 0");
+    /// let f = (&x + &x - Poly::one()).pow(2) * (&x + y.pow(2) - Poly::one());
+    /// assert_eq!(f.zeros_on(&domain).unwrap().to_string(), "u = 1/2; u + v^2 - 1 = 0");
     /// ```
     #[must_use]
     pub fn zeros_on(&self, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {

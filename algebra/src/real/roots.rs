@@ -104,7 +104,7 @@ impl RealRoot {
 
     /// An interval of width at most `2^-bits` that holds the root.
     ///
-    /// Complexity: one evaluation of the polynomial for each bit.
+    /// Complexity: some evaluations of the polynomial each time the number of bits doubles.
     #[must_use]
     pub fn enclosure(&self, bits: u64) -> Enclosure {
         match self.refined(bits).value {
@@ -116,15 +116,7 @@ impl RealRoot {
     /// The same root in an isolating interval of width at most `2^-bits`; an exact root as it is.
     #[must_use]
     pub fn refined(&self, bits: u64) -> RealRoot {
-        let width = Rational::new(Int::ONE, Int::ONE.shl(bits));
-        let mut root = self.clone();
-        while let Value::Isolated { lower, upper, .. } = &root.value {
-            if upper - lower <= width {
-                break;
-            }
-            root = root.halved();
-        }
-        root
+        self.narrowed(&Rational::new(Int::ONE, Int::ONE.shl(bits)))
     }
 
     /// The root as a decimal, correctly rounded to `digits` places after the point.
@@ -143,7 +135,7 @@ impl RealRoot {
                     }
                 }
             }
-            root = root.halved();
+            root = root.sharpened();
         }
     }
 
@@ -178,7 +170,7 @@ impl RealRoot {
             if shared.as_ref().is_some_and(|divisor| changes_sign(divisor, &a.variable, &lower, &upper)) {
                 return Ordering::Equal;
             }
-            (a, b) = (a.halved(), b.halved());
+            (a, b) = (a.sharpened(), b.sharpened());
         }
     }
 
@@ -214,10 +206,10 @@ impl RealRoot {
             return Some(poly.sign());
         }
         let mut root = self.clone();
-        if let Value::Isolated { poly: own, lower, upper, .. } = &root.value {
-            if changes_sign(&own.gcd(poly), &self.variable, lower, upper) {
-                return Some(Ordering::Equal);
-            }
+        if let Value::Isolated { poly: own, lower, upper, .. } = &root.value
+            && changes_sign(&own.gcd(poly), &self.variable, lower, upper)
+        {
+            return Some(Ordering::Equal);
         }
         // The root is no root of `poly`, so in the end no root of it is left in the interval.
         loop {
@@ -230,7 +222,7 @@ impl RealRoot {
             if variations(net.signs()) == 0 {
                 return net.signs().find(|sign| sign.is_ne());
             }
-            root = (0..4).fold(root, |root, _| root.halved());
+            root = root.sharpened();
         }
     }
 
@@ -245,13 +237,22 @@ impl RealRoot {
         }
     }
 
-    fn halved(&self) -> RealRoot {
+    fn narrowed(&self, width: &Rational) -> RealRoot {
         let Value::Isolated { poly, lower, upper, rising } = &self.value else { return self.clone() };
-        let value = match isolate::bisect(poly, &self.variable, lower, upper, *rising) {
+        let ends = (lower.clone(), upper.clone());
+        let value = match isolate::narrow(poly, &self.variable, ends, *rising, width) {
             Place::Point(number) => Value::Exact(Poly::constant(number)),
-            Place::Open(lower, upper) => Value::Isolated { poly: poly.clone(), lower, upper, rising: *rising },
+            Place::Open(lower, upper) => {
+                Value::Isolated { poly: poly.clone(), lower, upper, rising: *rising }
+            }
         };
         RealRoot { value, ..self.clone() }
+    }
+
+    /// The root in an interval of at most 1/16 of the width.
+    fn sharpened(&self) -> RealRoot {
+        let Value::Isolated { lower, upper, .. } = &self.value else { return self.clone() };
+        self.narrowed(&((upper - lower) * ratio(1, 16)))
     }
 }
 
@@ -341,7 +342,9 @@ fn recognize_rational(root: RealRoot) -> RealRoot {
     if rational_part.is_constant() || !changes_sign(&rational_part, &root.variable, lower, upper) {
         return root;
     }
-    let Some(leading) = rational_part.terms().first().map(|term| term.coefficient.clone()) else { return root };
+    let Some(leading) = rational_part.terms().first().map(|term| term.coefficient.clone()) else {
+        return root;
+    };
     let narrow = root.refined(leading.bits() + 1);
     let Value::Isolated { lower, .. } = &narrow.value else { return narrow };
     let candidate = (lower * Rational::from(leading.clone())).floor().to_integer() + Int::ONE;
@@ -403,7 +406,10 @@ mod tests {
         let f = x.scale(&integer(3)) - Poly::one();
         assert_eq!(texts(&f), ["1/3"]);
         assert_eq!(texts(&(x.pow(2) - Poly::integer(2))), ["-sqrt2", "sqrt2"]);
-        assert_eq!(texts(&(&f * (x.pow(2) - &x - Poly::one()))), ["-1/2*sqrt5 + 1/2", "1/3", "1/2*sqrt5 + 1/2"]);
+        assert_eq!(
+            texts(&(&f * (x.pow(2) - &x - Poly::one()))),
+            ["-1/2*sqrt5 + 1/2", "1/3", "1/2*sqrt5 + 1/2"]
+        );
         assert_eq!(texts(&(x.pow(3) - Poly::integer(2))), ["root of u^3 - 2 in (0, 4)"]);
         assert_eq!(texts(&(x.pow(2) + Poly::one())), [""; 0]);
         let root = Poly::sqrt_of(&integer(2));

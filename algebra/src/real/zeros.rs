@@ -61,7 +61,8 @@ impl ZeroSet {
     /// A point of the box `domain` where the polynomial vanishes, if one is known as numbers.
     #[must_use]
     pub fn witness(&self, domain: &[(Variable, Interval)]) -> Option<Point> {
-        let from_line = self.lines.iter().find_map(|root| Some((root.variable().clone(), root.exact()?.clone())));
+        let from_line =
+            self.lines.iter().find_map(|root| Some((root.variable().clone(), root.exact()?.clone())));
         let on_edge = |curve: &ZeroCurve| {
             curve.edges.iter().find_map(|edge| {
                 let root = edge.roots.iter().find(|root| root.exact().is_some())?;

@@ -8,38 +8,38 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 /// The number of variables; the generators of the number field come after them.
-pub const VARIABLES: usize = 3;
+pub(crate) const VARIABLES: usize = 3;
 /// `sqrt2` and `theta = √(110 + 100·√2)`.
-pub const GENERATORS: usize = 2;
+pub(crate) const GENERATORS: usize = 2;
 
 type Exponents = Vec<u32>;
 
 /// A polynomial in u, v, w over Q(√2, θ); the exponents are those of u, v, w, √2, θ.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Naive(BTreeMap<Exponents, BigRational>);
+pub(crate) struct Naive(BTreeMap<Exponents, BigRational>);
 
 /// The variables u, v, w.
-pub fn variables() -> [Variable; VARIABLES] {
+pub(crate) fn variables() -> [Variable; VARIABLES] {
     [Variable::new(0, "u"), Variable::new(1, "v"), Variable::new(Variable::SYMBOL, "w")]
 }
 
 /// `√2` and `θ`, in this order.
-pub fn generators() -> [Poly; GENERATORS] {
+pub(crate) fn generators() -> [Poly; GENERATORS] {
     let root = Poly::sqrt_of(&integer(2));
     let theta = (root.scale(&integer(100)) + Poly::integer(110)).sqrt().expect("it is positive");
     [root, theta]
 }
 
-pub fn big(value: &Rational) -> BigRational {
+pub(crate) fn big(value: &Rational) -> BigRational {
     BigRational::new(value.numer().to_big(), value.denom().to_big())
 }
 
-pub fn small(value: &BigRational) -> Rational {
+pub(crate) fn small(value: &BigRational) -> Rational {
     Rational::new(value.numer().clone().into(), value.denom().clone().into())
 }
 
 impl Naive {
-    pub fn new(terms: impl IntoIterator<Item = (Exponents, BigRational)>) -> Naive {
+    pub(crate) fn new(terms: impl IntoIterator<Item = (Exponents, BigRational)>) -> Naive {
         let mut sum = Naive(BTreeMap::new());
         for (exponents, coefficient) in terms {
             sum.insert(exponents, coefficient);
@@ -68,7 +68,7 @@ impl Naive {
         }
     }
 
-    pub fn of(poly: &Poly) -> Naive {
+    pub(crate) fn of(poly: &Poly) -> Naive {
         let names = variables();
         let ring = poly.ring();
         let terms = poly.terms().iter().map(|term| {
@@ -91,7 +91,7 @@ impl Naive {
         Naive::new(terms)
     }
 
-    pub fn to_poly(&self) -> Poly {
+    pub(crate) fn to_poly(&self) -> Poly {
         let symbols: Vec<Poly> = variables().iter().map(Poly::variable).chain(generators()).collect();
         let terms = self.0.iter().map(|(exponents, coefficient)| {
             let powers = symbols.iter().zip(exponents).map(|(symbol, &exponent)| symbol.pow(exponent));
@@ -100,11 +100,11 @@ impl Naive {
         terms.sum()
     }
 
-    pub fn add(&self, other: &Naive) -> Naive {
+    pub(crate) fn add(&self, other: &Naive) -> Naive {
         Naive::new(self.0.iter().chain(&other.0).map(|(e, c)| (e.clone(), c.clone())))
     }
 
-    pub fn mul(&self, other: &Naive) -> Naive {
+    pub(crate) fn mul(&self, other: &Naive) -> Naive {
         let mut terms = Vec::new();
         for (d, a) in &self.0 {
             for (e, b) in &other.0 {
@@ -114,7 +114,7 @@ impl Naive {
         Naive::new(terms)
     }
 
-    pub fn derivative(&self, place: usize) -> Naive {
+    pub(crate) fn derivative(&self, place: usize) -> Naive {
         let derive = |(exponents, coefficient): (&Exponents, &BigRational)| {
             let mut lower = exponents.clone();
             lower[place] = lower[place].checked_sub(1)?;
@@ -123,7 +123,7 @@ impl Naive {
         Naive::new(self.0.iter().filter_map(derive))
     }
 
-    pub fn substitute(&self, place: usize, value: &Naive) -> Naive {
+    pub(crate) fn substitute(&self, place: usize, value: &Naive) -> Naive {
         let mut sum = Naive::new([]);
         for (exponents, coefficient) in &self.0 {
             let mut rest = exponents.clone();
@@ -137,7 +137,7 @@ impl Naive {
         sum
     }
 
-    pub fn one() -> Naive {
+    pub(crate) fn one() -> Naive {
         Naive::new([(vec![0; VARIABLES + GENERATORS], BigRational::one())])
     }
 }

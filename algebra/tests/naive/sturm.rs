@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use hodograph_algebra::{Poly, Variable};
 
 /// The number of distinct real roots of a nonzero polynomial in the closed interval from `lower` to `upper`.
-pub fn count_roots(poly: &Poly, variable: &Variable, lower: &Poly, upper: &Poly) -> usize {
+pub(crate) fn count_roots(poly: &Poly, variable: &Variable, lower: &Poly, upper: &Poly) -> usize {
     let f = poly.coefficients(variable);
     let mut chain = vec![f.clone(), poly.derivative(variable).coefficients(variable)];
     while let [.., a, b] = chain.as_slice() {

@@ -50,6 +50,7 @@ fn items(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
             clippy::excessive_precision,
             clippy::float_cmp,
             clippy::many_single_char_names,
+            clippy::missing_const_for_fn,
             clippy::similar_names,
             clippy::suboptimal_flops,
             clippy::trivially_copy_pass_by_ref,
@@ -72,7 +73,9 @@ fn documentation(artifact: &Artifact) -> TokenStream {
     if lines.is_empty() {
         lines.push(format!("The surface `{}`.", artifact.name));
     }
-    lines.extend([String::new(), "```text".into(), artifact.formula.clone(), "```".into(), String::new()]);
+    lines.extend([String::new(), "```text".to_string()]);
+    lines.extend(artifact.formula.lines().map(str::to_string));
+    lines.extend(["```".to_string(), String::new()]);
     if let Some(source) = &artifact.source {
         lines.extend([format!("Source: `{}`.", source.replace('`', "'")), String::new()]);
     }

@@ -5,12 +5,10 @@ use quote::quote;
 
 use super::{Artifact, format, module, standalone};
 use crate::round::round;
-use crate::schedule::tests::{Example, bilinear, quintic_translation};
-use crate::schedule::{check, schedule};
+use crate::schedule::tests::{Example, bilinear, plane, quintic_translation, scheduled};
 
 fn artifact(name: &str, example: &Example) -> Artifact {
-    let exact = schedule(&example.derived());
-    assert_eq!(check(&exact, &example.derived()), Ok(()));
+    let exact = scheduled(example);
     let degree = |poly: &Poly, variable| poly.degree(variable).map_or(-1, i64::from);
     let coordinate_degrees =
         example.homogeneous.each_ref().map(|c| (degree(c, &example.u), degree(c, &example.v)));
@@ -37,9 +35,11 @@ fn modules_read_well() {
 
 #[test]
 fn parameters_that_are_not_read_are_marked() {
-    let tokens = module(&artifact("patch", &bilinear()), &quote! { ::hodograph });
-    let text = format(tokens).unwrap();
-    assert!(text.contains("pub struct Patch;"), "{text}");
+    let text = format(module(&artifact("plane", &plane()), &quote! { ::hodograph })).unwrap();
+    assert!(text.contains("pub fn partial_u(&self, _u: f64, _v: f64) -> [f64; 3] {"), "{text}");
+    assert!(text.contains("Regularity::finite([0.0, 0.0, 1.0])"), "{text}");
+    let text = format(module(&artifact("bilinear_patch", &bilinear()), &quote! { ::hodograph })).unwrap();
+    assert!(text.contains("pub struct BilinearPatch;"), "{text}");
     assert!(text.contains("Regularity::unit(["), "{text}");
 }
 

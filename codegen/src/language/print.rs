@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use super::ast::{Argument, Expr, ExprKind, ProductOperator, RelationOperator, SumOperator};
+use super::ast::{
+    Argument, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, Function, Interval, Name, ProductOperator,
+    RelationOperator, SumOperator,
+};
 
 /// How tightly an expression holds together, loosest first; each level of the grammar is one.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -122,6 +125,50 @@ fn write_list(open: &str, parts: &[Expr], close: &str, f: &mut fmt::Formatter<'_
         write(part, Level::Relation, f)?;
     }
     f.write_str(close)
+}
+
+impl fmt::Display for Clause {
+    /// The clause on one line, without its documentation.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = |names: &[Name]| names.iter().map(|name| name.value.as_str()).collect::<Vec<_>>().join(", ");
+        let definition = |f: &mut fmt::Formatter<'_>, keyword: &str, definition: &Definition| {
+            write!(f, "{keyword} {}", definition.name.value)?;
+            if !definition.parameters.is_empty() {
+                write!(f, "({})", names(&definition.parameters))?;
+            }
+            write!(f, " = {};", definition.value)
+        };
+        match &self.kind {
+            ClauseKind::Source(text) => write!(f, "source {:?};", text.value),
+            ClauseKind::Symbol(symbols) => write!(f, "symbol {};", names(symbols)),
+            ClauseKind::Function(functions) => {
+                let one = |function: &Function| format!("{}({})", function.name.value, function.parameter.value);
+                write!(f, "function {};", functions.iter().map(one).collect::<Vec<_>>().join(", "))
+            }
+            ClauseKind::Let(value) => definition(f, "let", value),
+            ClauseKind::Substitute(value) => definition(f, "substitute", value),
+            ClauseKind::Curve(curve) => {
+                let keyword = match curve.role {
+                    CurveRole::Profile => "profile",
+                    CurveRole::Path => "path",
+                    CurveRole::Curve => "curve",
+                };
+                write!(f, "{keyword} {}({}) = {};", curve.name.value, curve.parameter.value, curve.value)
+            }
+            ClauseKind::Surface(surface) => {
+                write!(f, "surface {}", surface.name.value)?;
+                if let Some([first, second]) = &surface.parameters {
+                    write!(f, "({}, {})", first.value, second.value)?;
+                }
+                write!(f, " = {};", surface.value)
+            }
+            ClauseKind::Domain(intervals) => {
+                let one = |i: &Interval| format!("{} in {}..{}", i.parameter.value, i.start, i.end);
+                write!(f, "domain {};", intervals.iter().map(one).collect::<Vec<_>>().join(", "))
+            }
+            ClauseKind::Claim(claim) => write!(f, "claim {:?}: {};", claim.id.value, claim.relation),
+        }
+    }
 }
 
 impl fmt::Display for SumOperator {

@@ -12,12 +12,21 @@ pub struct Fault {
     pub diagnostic: Diagnostic,
     /// Whether the value exists but is not a rational function: what `is_rational` asks for.
     pub irrational: bool,
+    /// Whether the cause has been reported already.
+    pub reported: bool,
 }
 
 impl Fault {
     /// A mistake at a place.
     pub fn new(span: Span, message: impl Into<String>) -> Fault {
         Diagnostic::new(span, message).into()
+    }
+
+    /// A consequence of a mistake that has been reported already.
+    pub fn silent(span: Span) -> Fault {
+        let mut fault = Fault::new(span, "this depends on a definition with a mistake");
+        fault.reported = true;
+        fault
     }
 
     /// The same with what to do.
@@ -66,6 +75,6 @@ impl Fault {
 
 impl From<Diagnostic> for Fault {
     fn from(diagnostic: Diagnostic) -> Fault {
-        Fault { diagnostic, irrational: false }
+        Fault { diagnostic, irrational: false, reported: false }
     }
 }

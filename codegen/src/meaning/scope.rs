@@ -1,13 +1,14 @@
 //! The names of one item and their values.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use hodograph_algebra::{Calculus, Interval, Poly, SweptSurface, Variable, Vector};
+use hodograph_algebra::{Calculus, Curve, Fraction, Interval, KnownProperties, Poly, SweptSurface, Variable, Vector};
 
 use super::fault::Fault;
-use super::value::{ComplexFraction, Value};
+use super::calls::substitute;
+use super::value::{ComplexFraction, FunctionValue, Value};
 use crate::language::ast::Name;
 use crate::language::{Diagnostic, Span, closest};
 
@@ -32,6 +33,8 @@ struct News {
 #[derive(Clone, Debug)]
 pub(super) struct Scope {
     values: BTreeMap<String, (Value, Span)>,
+    /// Names whose definitions failed.
+    poisoned: BTreeSet<String>,
     /// The parameters, in their order.
     pub(super) parameters: Vec<Variable>,
     /// The interval of each parameter that has a domain.
@@ -53,6 +56,7 @@ impl Scope {
     pub(super) fn new(parameters: Vec<Variable>) -> Scope {
         Scope {
             values: BTreeMap::new(),
+            poisoned: BTreeSet::new(),
             parameters,
             domains: BTreeMap::new(),
             symbols: Vec::new(),
@@ -117,10 +121,42 @@ impl Scope {
         Err(Diagnostic::new(name.span, format!("`{text}` {taken}")).help("use another name"))
     }
 
+    /// Marks a name whose definition failed: what uses it is not reported again.
+    pub(super) fn poison(&mut self, name: &Name) {
+        self.poisoned.insert(name.value.clone());
+    }
+
+    /// Whether a name has a meaning.
+    pub(super) fn knows(&self, name: &str) -> bool {
+        self.values.contains_key(name)
+            || self.poisoned.contains(name)
+            || self.parameters.iter().any(|parameter| parameter.name() == name)
+            || constant(name).is_some()
+            || FUNCTIONS.contains(&name)
+            || (self.surface.is_some() && COORDINATES.contains(&name))
+    }
+
+    /// The same scope with a scalar in place of a symbol.
+    pub(super) fn with_symbol(&self, symbol: &Variable, value: &Fraction, span: Span) -> Result<Scope, Fault> {
+        let values = BTreeMap::from([(symbol.clone(), value.clone())]);
+        let mut scope = self.clone();
+        for (known, _) in scope.values.values_mut() {
+            *known = specialize(self, span, known, &values)?;
+        }
+        if let Some(surface) = &self.surface {
+            scope.surface = Some(Rc::new(specialized_surface(self, span, surface, &values)?));
+        }
+        scope.symbols.retain(|other| other != symbol);
+        Ok(scope)
+    }
+
     /// The value of a name.
     pub(super) fn value(&self, name: &str, span: Span) -> Result<Value, Fault> {
         if let Some((value, _)) = self.values.get(name) {
             return Ok(value.clone());
+        }
+        if self.poisoned.contains(name) {
+            return Err(Fault::silent(span));
         }
         if let Some(parameter) = self.parameters.iter().find(|parameter| parameter.name() == name) {
             return Ok(Value::Scalar(Poly::variable(parameter).into()));
@@ -139,7 +175,7 @@ impl Scope {
     }
 
     /// An unknown name, with the closest known one.
-    fn unknown(&self, name: &str, span: Span) -> Fault {
+    pub(super) fn unknown(&self, name: &str, span: Span) -> Fault {
         let parameters = self.parameters.iter().map(Variable::name);
         let known = self.values.keys().map(String::as_str).chain(parameters);
         let coordinates = COORDINATES.iter().filter(|_| self.surface.is_some());
@@ -163,7 +199,7 @@ fn constant(name: &str) -> Option<Value> {
         "k" => Value::Vector(Vector::unit(2)),
         "pi" => Value::Scalar(Poly::variable(&Variable::new(Variable::SYMBOL, "pi")).into()),
         "I" => {
-            let one = ComplexFraction::from(hodograph_algebra::Fraction::one());
+            let one = ComplexFraction::from(Fraction::one());
             Value::Complex(ComplexFraction { re: one.im, im: one.re })
         }
         _ => return None,
@@ -174,4 +210,44 @@ fn constant(name: &str) -> Option<Value> {
 fn is_radical(name: &str) -> bool {
     let digits = name.strip_prefix("sqrt").filter(|rest| !rest.is_empty()).or(name.strip_prefix("theta"));
     digits.is_some_and(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+/// A value with scalars in place of symbols.
+fn specialize(
+    scope: &Scope,
+    span: Span,
+    value: &Value,
+    values: &BTreeMap<Variable, Fraction>,
+) -> Result<Value, Fault> {
+    Ok(match value {
+        Value::Curve(curve) => {
+            let position = substitute(scope, span, value, values)?.vector().unwrap_or_else(Vector::zero);
+            let domain = scope.domains.get(curve.parameter()).cloned();
+            let known = KnownProperties::default();
+            Value::Curve(Rc::new(Curve::new(curve.parameter(), position, domain, known, scope.calculus.clone())))
+        }
+        Value::Surface(surface) => Value::Surface(Rc::new(specialized_surface(scope, span, surface, values)?)),
+        Value::Function(function) => {
+            let value = specialize(scope, span, &function.value, values)?;
+            Value::Function(Rc::new(FunctionValue { parameters: function.parameters.clone(), value }))
+        }
+        Value::List(parts) => {
+            Value::List(parts.iter().map(|part| specialize(scope, span, part, values)).collect::<Result<_, _>>()?)
+        }
+        Value::Offset(_) | Value::Degree(_) | Value::Text(_) => value.clone(),
+        Value::Scalar(_) | Value::Complex(_) | Value::Vector(_) | Value::Tuple(_) => {
+            substitute(scope, span, value, values)?
+        }
+    })
+}
+
+fn specialized_surface(
+    scope: &Scope,
+    span: Span,
+    surface: &SweptSurface,
+    values: &BTreeMap<Variable, Fraction>,
+) -> Result<SweptSurface, Fault> {
+    let position = Value::Vector(surface.position().clone());
+    let position = substitute(scope, span, &position, values)?.vector().unwrap_or_else(Vector::zero);
+    Ok(SweptSurface::new(position, surface.parameters().clone(), surface.domain().clone()))
 }

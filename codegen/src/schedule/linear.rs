@@ -38,19 +38,25 @@ pub(super) fn reduce(mut rows: Vec<Vec<Poly>>) -> (Vec<Vec<Poly>>, Vec<usize>) {
     (rows, pivots)
 }
 
-/// The number of independent rows.
-pub(super) fn rank(rows: &[Vec<Poly>]) -> usize {
-    reduce(rows.to_vec()).1.len()
+/// The places of the vectors that are independent of those before them.
+pub(super) fn independent(vectors: &[Vec<Poly>]) -> Vec<usize> {
+    reduce(transposed(vectors)).1
+}
+
+/// For each target, which lies in the span of the independent `vectors`, its coordinates with respect to them.
+pub(super) fn coordinates(vectors: &[Vec<Poly>], targets: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
+    let rows = transposed(&[vectors, targets].concat());
+    let (rows, _) = reduce(rows);
+    // The first rows have their pivots in the columns of the vectors; there are no others.
+    let column = |place: usize| rows.iter().map(|row| row[vectors.len() + place].clone()).collect();
+    (0..targets.len()).map(column).collect()
 }
 
 /// Numbers `c` with `Σ c_k · vectors[k] = target`, or `None` if there are none.
 ///
 /// Where they are not unique, those that need not be there are zero, the later ones first.
 pub(super) fn combine(vectors: &[Vec<Poly>], target: &[Poly]) -> Option<Vec<Poly>> {
-    let rows: Vec<Vec<Poly>> = (0..target.len())
-        .map(|i| vectors.iter().map(|vector| vector[i].clone()).chain([target[i].clone()]).collect())
-        .collect();
-    let (rows, pivots) = reduce(rows);
+    let (rows, pivots) = reduce(transposed(&[vectors, &[target.to_vec()]].concat()));
     if pivots.last() == Some(&vectors.len()) {
         return None;
     }
@@ -63,10 +69,7 @@ pub(super) fn combine(vectors: &[Vec<Poly>], target: &[Poly]) -> Option<Vec<Poly
 
 /// A basis of the numbers `c` with `Σ c_k · vectors[k] = 0`.
 pub(super) fn relations(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
-    let length = vectors.first().map_or(0, Vec::len);
-    let rows: Vec<Vec<Poly>> =
-        (0..length).map(|i| vectors.iter().map(|vector| vector[i].clone()).collect()).collect();
-    let (rows, pivots) = reduce(rows);
+    let (rows, pivots) = reduce(transposed(vectors));
     let free = (0..vectors.len()).filter(|k| !pivots.contains(k));
     free.map(|k| {
         let mut relation = vec![Poly::zero(); vectors.len()];
@@ -79,11 +82,16 @@ pub(super) fn relations(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
     .collect()
 }
 
+fn transposed(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
+    let length = vectors.first().map_or(0, Vec::len);
+    (0..length).map(|i| vectors.iter().map(|vector| vector[i].clone()).collect()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use hodograph_algebra::{Poly, integer};
 
-    use super::{combine, rank, reduce, relations};
+    use super::{combine, coordinates, independent, reduce, relations};
 
     fn rows(entries: &[&[i64]]) -> Vec<Vec<Poly>> {
         entries.iter().map(|row| row.iter().map(|&entry| Poly::integer(entry)).collect()).collect()
@@ -93,8 +101,8 @@ mod tests {
     fn reduced_forms_and_ranks() {
         let matrix = rows(&[&[0, 2, 4], &[1, 1, 1], &[1, 2, 3]]);
         assert_eq!(reduce(matrix.clone()), (rows(&[&[1, 0, -1], &[0, 1, 2]]), vec![0, 1]));
-        assert_eq!(rank(&matrix), 2);
-        assert_eq!(rank(&[]), 0);
+        assert_eq!(independent(&matrix), [0, 1]);
+        assert!(independent(&[]).is_empty());
     }
 
     #[test]
@@ -105,12 +113,16 @@ mod tests {
         assert_eq!(found, Some(vec!["3".to_string(), "4".to_string(), "0".to_string()]));
         assert_eq!(combine(&vectors, &[Poly::one(), Poly::zero(), Poly::zero()]), None);
         assert_eq!(relations(&vectors), rows(&[&[-1, -1, 1]]));
+        assert_eq!(
+            coordinates(&vectors[..2], &[target.to_vec(), vectors[2].clone()]),
+            rows(&[&[3, 4], &[1, 1]])
+        );
     }
 
     #[test]
     fn radicals_are_numbers_too() {
         let root = Poly::sqrt_of(&integer(2));
         let matrix = vec![vec![root.clone(), Poly::integer(2)], vec![Poly::one(), root]];
-        assert_eq!(rank(&matrix), 1);
+        assert_eq!(independent(&matrix), [0]);
     }
 }

@@ -20,6 +20,9 @@ mod quotient;
 mod separate;
 mod univariate;
 
+use std::collections::BTreeSet;
+use std::fmt;
+
 use hodograph_algebra::{Poly, Rational, Variable};
 
 pub use check::{Fractions, Mismatch, check};
@@ -48,6 +51,19 @@ pub struct Derived<'a> {
     pub domain: &'a [[Rational; 2]; 2],
 }
 
+impl Derived<'_> {
+    fn validate(&self) -> Result<(), ScheduleError> {
+        if self.homogeneous[0].is_zero() {
+            return Err(ScheduleError::NoWeight);
+        }
+        let polys = self.homogeneous.iter().chain(self.normal).chain(self.normal_root).chain(self.singular);
+        let occurring = polys.flat_map(Poly::occurring_variables);
+        let symbols: BTreeSet<Variable> =
+            occurring.filter(|variable| !self.parameters.contains(&variable)).collect();
+        if symbols.is_empty() { Ok(()) } else { Err(ScheduleError::Symbols(symbols.into_iter().collect())) }
+    }
+}
+
 /// Names of the outputs of scheduled programs.
 pub mod outputs {
     /// W, X, Y, Z.
@@ -66,12 +82,59 @@ pub mod outputs {
     pub const SINGULAR: &str = "singular";
 }
 
+/// Why a surface has no program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ScheduleError {
+    /// There are symbols besides the parameters, whose values a program cannot know.
+    Symbols(Vec<Variable>),
+    /// The weight W is zero everywhere.
+    NoWeight,
+}
+
+impl fmt::Display for ScheduleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ScheduleError::Symbols(symbols) => {
+                let names: Vec<&str> = symbols.iter().map(Variable::name).collect();
+                write!(f, "an evaluator needs numbers for the symbols {}", names.join(", "))
+            }
+            ScheduleError::NoWeight => f.write_str("the weight W of the surface is zero everywhere"),
+        }
+    }
+}
+
+impl std::error::Error for ScheduleError {}
+
 /// The program that evaluates a surface.
 ///
 /// Its outputs are those of [`outputs`]. A program for a surface of degree (m, n) and rank r takes O(r·(m + n))
 /// operations, of which some r for each coordinate depend on both parameters.
-#[must_use]
-pub fn schedule(derived: &Derived<'_>) -> Program<Poly> {
+///
+/// # Errors
+/// [`ScheduleError`] if W is zero or symbols occur.
+///
+/// # Example
+/// ```
+/// use hodograph_algebra::{Poly, Variable, integer};
+/// use hodograph_codegen::schedule::{Derived, check, outputs, schedule};
+/// let (u, v) = (Variable::new(0, "u"), Variable::new(1, "v"));
+/// let (x, y) = (Poly::variable(&u), Poly::variable(&v));
+/// let saddle = Derived {
+///     parameters: [&u, &v],
+///     homogeneous: &[Poly::one(), x.clone(), y.clone(), &x * &y],
+///     normal: &[-&y, -&x, Poly::one()],
+///     normal_root: None,
+///     singular: None,
+///     known: &[],
+///     domain: &[[integer(0), integer(1)], [integer(0), integer(1)]],
+/// };
+/// let program = schedule(&saddle).unwrap();
+/// assert_eq!(check(&program, &saddle), Ok(()));
+/// assert_eq!(program.count_all(program.results(outputs::POINT)).to_string(), "1 operation (1 ×)");
+/// ```
+pub fn schedule(derived: &Derived<'_>) -> Result<Program<Poly>, ScheduleError> {
+    derived.validate()?;
     let [u, v] = derived.parameters;
     let parameters = Parameters { u: u.clone(), v: v.clone() };
     let mut builder = Builder::new(&parameters, derived.known, derived.domain);
@@ -86,7 +149,7 @@ pub fn schedule(derived: &Derived<'_>) -> Program<Poly> {
         let values = polynomials(&mut builder, std::slice::from_ref(singular));
         builder.program.output(outputs::SINGULAR, values);
     }
-    builder.program
+    Ok(builder.program)
 }
 
 /// Coordinates over a weight A(u)·B(v): c = Σ_k f_k(u)·g_{c,k}(v) and c/(A·B) = Σ_k (f_k/A)(u)·(g_{c,k}/B)(v).

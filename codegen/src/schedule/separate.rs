@@ -31,21 +31,32 @@ impl Separation {
     pub(super) fn new(polys: &[Poly], weight: Option<&(Poly, Poly)>, parameters: &Parameters) -> Separation {
         let one = (Poly::one(), Poly::one());
         let (a, b) = weight.unwrap_or(&one);
-        let mut separation = with_basis(polys, choose_basis(polys, a, parameters), parameters);
-        separation.clear_denominators(a, b, parameters);
+        let mut separation = with_basis(polys, &choose_basis(polys, a, parameters), parameters);
+        separation.simplify_cofactors(a, b, parameters);
         separation.scale(a, b);
         separation
     }
 
-    /// Changes the basis so that the cofactors of multiples of A become multiples of B where that can be.
+    /// Changes the basis so that the cofactors of multiples of A become multiples of B where that can be; numbers, where
+    /// B is a number.
     ///
     /// Since Σ f_k g_k = f_a (g_a − Σ c_k g_k) + f_k (…), adding c_k f_a to each other f_k takes Σ c_k g_k off g_a.
-    fn clear_denominators(&mut self, a: &Poly, b: &Poly, parameters: &Parameters) {
-        if b.is_constant() {
+    fn simplify_cofactors(&mut self, a: &Poly, b: &Poly, parameters: &Parameters) {
+        if b.is_constant() && a.is_constant() {
             return;
         }
+        let degrees = self.cofactors.iter().flatten().filter_map(|g| g.degree(&parameters.v));
+        let length = degrees.max().map_or(0, |degree| degree as usize + 1);
+        let residue = |g: &Poly| {
+            if !b.is_constant() {
+                return remainder(g, b, &parameters.v);
+            }
+            let mut coefficients = g.coefficients(&parameters.v);
+            coefficients.resize(length, Poly::zero());
+            coefficients.into_iter().skip(1).collect()
+        };
         let residues = |separation: &Separation, k: usize| -> Vec<Poly> {
-            separation.cofactors.iter().flat_map(|row| remainder(&row[k], b, &parameters.v)).collect()
+            separation.cofactors.iter().flat_map(|row| residue(&row[k])).collect()
         };
         for place in 0..self.basis.len() {
             let target = residues(self, place);
@@ -115,7 +126,7 @@ fn choose_basis(polys: &[Poly], a: &Poly, parameters: &Parameters) -> Vec<Poly> 
         .collect();
     spaces.sort_by_key(Vec::len);
     let poly = |row: &[Poly]| Poly::from_coefficients(&parameters.u, row);
-    let mut basis: Vec<Vec<Poly>> = Vec::new();
+    let mut candidates: Vec<Vec<Poly>> = Vec::new();
     for space in spaces {
         let residues: Vec<Vec<Poly>> =
             space.iter().map(|row| remainder(&poly(row), a, &parameters.u)).collect();
@@ -129,18 +140,13 @@ fn choose_basis(polys: &[Poly], a: &Poly, parameters: &Parameters) -> Vec<Poly> 
         } else {
             linear::reduce(linear::relations(&residues).iter().map(multiple).collect()).0
         };
-        for candidate in multiples.into_iter().chain(space) {
-            basis.push(candidate);
-            if linear::rank(&basis) < basis.len() {
-                basis.pop();
-            }
-        }
+        candidates.extend(multiples.into_iter().chain(space));
     }
-    basis.iter().map(|row| poly(row)).collect()
+    linear::independent(&candidates).into_iter().map(|place| poly(&candidates[place])).collect()
 }
 
 /// The separation with the given basis, which spans what it must.
-fn with_basis(polys: &[Poly], basis: Vec<Poly>, parameters: &Parameters) -> Separation {
+fn with_basis(polys: &[Poly], basis: &[Poly], parameters: &Parameters) -> Separation {
     let length =
         basis.iter().filter_map(|poly| poly.degree(&parameters.u)).max().map_or(0, |d| d as usize + 1);
     let row = |poly: &Poly| {
@@ -148,23 +154,19 @@ fn with_basis(polys: &[Poly], basis: Vec<Poly>, parameters: &Parameters) -> Sepa
         row.resize(length, Poly::zero());
         row
     };
-    let rows: Vec<Vec<Poly>> = basis.iter().map(row).collect();
-    let cofactors = polys.iter().map(|poly| {
-        let columns = poly.coefficients(&parameters.v);
-        let numbers: Vec<Vec<Poly>> = columns
-            .iter()
-            .map(|column| {
-                linear::combine(&rows, &row(column)).unwrap_or_else(|| vec![Poly::zero(); rows.len()])
-            })
-            .collect();
-        (0..rows.len())
-            .map(|k| {
-                let column: Vec<Poly> = numbers.iter().map(|numbers| numbers[k].clone()).collect();
-                Poly::from_coefficients(&parameters.v, &column)
-            })
-            .collect()
+    let columns: Vec<Vec<Poly>> = polys.iter().map(|poly| poly.coefficients(&parameters.v)).collect();
+    let vectors: Vec<Vec<Poly>> = basis.iter().map(row).collect();
+    let targets: Vec<Vec<Poly>> = columns.iter().flatten().map(row).collect();
+    let mut numbers = linear::coordinates(&vectors, &targets).into_iter();
+    let cofactors = columns.iter().map(|columns| {
+        let numbers: Vec<Vec<Poly>> = numbers.by_ref().take(columns.len()).collect();
+        let cofactor = |k: usize| {
+            let column: Vec<Poly> = numbers.iter().map(|numbers| numbers[k].clone()).collect();
+            Poly::from_coefficients(&parameters.v, &column)
+        };
+        (0..basis.len()).map(cofactor).collect()
     });
-    Separation { cofactors: cofactors.collect(), basis }
+    Separation { cofactors: cofactors.collect(), basis: basis.to_vec() }
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Schedules of small surfaces, made by hand.
 
 use hodograph_algebra::{Poly, Rational, Variable, integer, ratio};
+use proptest::prelude::*;
 
-use super::{Derived, Fractions, Mismatch, check, outputs, schedule};
+use super::{Derived, Fractions, Mismatch, ScheduleError, check, outputs, schedule};
 use crate::program::{Floats, Program, Stage, interpret};
 use crate::round::{exact, nearest, round};
 
@@ -110,7 +111,7 @@ pub(crate) fn bilinear() -> Example {
 }
 
 /// A scaled rotation (13): the circle's profile along a parabola, with the factor x(u) of its normal.
-pub(crate) fn rotation() -> Example {
+fn rotation() -> Example {
     let (u, v, pu, pv) = parameters();
     let (d, p, two_u) = (Poly::one() + pu.pow(2), Poly::one() - pu.pow(2), Poly::integer(2) * &pu);
     let (x, y) = (Poly::one() + pv.pow(2), pv.scale(&ratio(1, 2)));
@@ -130,6 +131,83 @@ pub(crate) fn rotation() -> Example {
     }
 }
 
+/// The plane z = 0.
+pub(crate) fn plane() -> Example {
+    let (u, v, pu, pv) = parameters();
+    Example {
+        homogeneous: [Poly::one(), pu, pv, Poly::zero()],
+        normal: [Poly::zero(), Poly::zero(), Poly::one()],
+        root: Some(Poly::one()),
+        singular: None,
+        known: Vec::new(),
+        domain: unit_square(),
+        u,
+        v,
+    }
+}
+
+/// The offset translation (20) of a PH cubic with w = 1 + i·u by d = v²: W = σ(u), X = σx + d·y', Y = σy − d·x', Z = σv.
+fn offset_translation() -> Example {
+    let (u, v, pu, pv) = parameters();
+    let (dx, dy) = (Poly::one() - pu.pow(2), Poly::integer(2) * &pu);
+    let (sigma, x, y, d) = (Poly::one() + pu.pow(2), dx.integral(&u), dy.integral(&u), pv.pow(2));
+    // (n − d'k) times σ
+    let normal = [dy.clone(), -&dx, -(&sigma * &pv * Poly::integer(2))];
+    Example {
+        homogeneous: [sigma.clone(), &sigma * &x + &d * &dy, &sigma * &y - &d * &dx, &sigma * &pv],
+        normal,
+        root: None,
+        singular: None,
+        known: Vec::new(),
+        domain: unit_square(),
+        u,
+        v,
+    }
+}
+
+/// The unit sphere by stereographic projection: neither its weight nor the root of its normal is a product.
+fn sphere() -> Example {
+    let (u, v, pu, pv) = parameters();
+    let square = pu.pow(2) + pv.pow(2);
+    let (weight, x, y, z) =
+        (&square + Poly::one(), Poly::integer(2) * pu, Poly::integer(2) * pv, square - Poly::one());
+    Example {
+        homogeneous: [weight.clone(), x.clone(), y.clone(), z.clone()],
+        normal: [x, y, z],
+        root: Some(weight),
+        singular: None,
+        known: Vec::new(),
+        domain: unit_square(),
+        u,
+        v,
+    }
+}
+
+/// The program of an example, proved.
+pub(crate) fn scheduled(example: &Example) -> Program<Poly> {
+    let program = schedule(&example.derived()).unwrap();
+    assert_eq!(check(&program, &example.derived()), Ok(()));
+    program
+}
+
+#[test]
+fn other_sweeps_are_as_short() {
+    let program = scheduled(&offset_translation());
+    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
+    let program = scheduled(&plane());
+    assert_eq!(program.count_all(program.results(outputs::POINT)).total(), 0);
+}
+
+#[test]
+fn what_cannot_be_scheduled_is_an_error() {
+    let mut example = plane();
+    example.homogeneous[1] = Poly::variable(&Variable::new(Variable::SYMBOL, "c0"));
+    let error = schedule(&example.derived()).unwrap_err();
+    assert_eq!(error.to_string(), "an evaluator needs numbers for the symbols c0");
+    example.homogeneous[0] = Poly::zero();
+    assert_eq!(schedule(&example.derived()).unwrap_err(), ScheduleError::NoWeight);
+}
+
 fn operations(program: &Program<Poly>, output: &str, stage: Stage) -> usize {
     program.count(program.results(output), stage).total()
 }
@@ -137,8 +215,7 @@ fn operations(program: &Program<Poly>, output: &str, stage: Stage) -> usize {
 #[test]
 fn translations_take_four_operations_a_grid_point() {
     let example = quintic_translation();
-    let program = schedule(&example.derived());
-    assert_eq!(check(&program, &example.derived()), Ok(()));
+    let program = scheduled(&example);
     assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
@@ -148,21 +225,31 @@ fn translations_take_four_operations_a_grid_point() {
 }
 
 #[test]
+fn a_known_preimage_saves_operations() {
+    let (_, _, _, v) = parameters();
+    let (a, b) = (Poly::integer(3) + &v - v.pow(2), Poly::one() - v.pow(2).scale(&ratio(1, 2)) + &v);
+    let mut example = translation(&a, &b);
+    example.known.extend([("re_w".to_string(), a), ("im_w".to_string(), b)]);
+    let program = scheduled(&example);
+    let single = program.count_all(program.results(outputs::POINT));
+    assert!(single.total() <= 46, "{single}");
+}
+
+#[test]
 fn program_of_a_translation_reads_as_the_paper() {
     let (_, _, _, v) = parameters();
     let example = translation(&(Poly::one() + v.pow(2)), &(Poly::integer(2) - v));
-    let program = schedule(&example.derived());
-    assert_eq!(check(&program, &example.derived()), Ok(()));
+    let program = scheduled(&example);
     assert_eq!(program.to_string(), include_str!("translation.txt"));
 }
 
 #[test]
 fn other_weights_and_singular_factors_are_scheduled() {
-    for example in [bilinear(), rotation()] {
-        let program = schedule(&example.derived());
-        assert_eq!(check(&program, &example.derived()), Ok(()));
+    for example in [bilinear(), sphere()] {
+        let program = scheduled(&example);
+        assert_eq!(program.count_all(program.results(outputs::POINT)).divisions, 1);
     }
-    let program = schedule(&rotation().derived());
+    let program = scheduled(&rotation());
     assert_eq!(operations(&program, outputs::POINT, Stage::Both), 2);
 }
 
@@ -188,8 +275,7 @@ fn radicals_stay_exact() {
     // s(1) = (2, 2), which ties the radicals together.
     let end = |place: usize| example.known[place].1.at(&[(&example.v, &integer(1))]);
     assert_eq!([end(1), end(2)], [Poly::integer(2), Poly::integer(2)]);
-    let program = schedule(&example.derived());
-    assert_eq!(check(&program, &example.derived()), Ok(()));
+    let program = scheduled(&example);
     assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
@@ -199,17 +285,26 @@ fn radicals_stay_exact() {
 fn names_are_not_needed() {
     let mut example = hermite_translation();
     example.known.clear();
-    let program = schedule(&example.derived());
-    assert_eq!(check(&program, &example.derived()), Ok(()));
+    let program = scheduled(&example);
     assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
 }
 
 #[test]
+fn a_common_number_costs_nothing() {
+    let mut example = quintic_translation();
+    let before = scheduled(&example);
+    example.homogeneous = example.homogeneous.map(|c| c.scale(&integer(44_100)));
+    let after = scheduled(&example);
+    let point = |program: &Program<Poly>| program.count_all(program.results(outputs::POINT));
+    assert_eq!(point(&before), point(&after));
+}
+
+#[test]
 fn a_wrong_program_is_refused() {
     let (right, mut wrong) = (quintic_translation(), quintic_translation());
-    let program = schedule(&right.derived());
+    let program = scheduled(&right);
     wrong.homogeneous[2] = &wrong.homogeneous[2] + Poly::one();
     let difference = Mismatch::Differs { output: outputs::HOMOGENEOUS.to_string(), place: 2 };
     assert_eq!(check(&program, &wrong.derived()), Err(difference));
@@ -224,7 +319,7 @@ fn a_wrong_program_is_refused() {
 
 /// The largest error of the rounded program at some points, in units of 2^-53 of the result's size.
 fn largest_error(example: &Example, output: &str) -> f64 {
-    let program = schedule(&example.derived());
+    let program = scheduled(example);
     let floats = round(&program).unwrap();
     let results = program.results(output);
     let mut largest = 0.0_f64;
@@ -252,9 +347,14 @@ fn largest_error(example: &Example, output: &str) -> f64 {
 
 #[test]
 fn rounded_programs_are_accurate() {
-    for example in
-        [quintic_translation(), bilinear(), rotation(), shifted_translation(20), hermite_translation()]
-    {
+    for example in [
+        quintic_translation(),
+        bilinear(),
+        rotation(),
+        sphere(),
+        shifted_translation(20),
+        hermite_translation(),
+    ] {
         for output in [outputs::HOMOGENEOUS, outputs::POINT, outputs::PARTIAL_U, outputs::PARTIAL_V] {
             let error = largest_error(&example, output);
             assert!(error < 16.0, "{output} is off by {error} units");
@@ -265,7 +365,48 @@ fn rounded_programs_are_accurate() {
 #[test]
 fn far_domains_are_evaluated_around_their_middle() {
     let example = shifted_translation(20);
-    let program = schedule(&example.derived());
-    assert_eq!(check(&program, &example.derived()), Ok(()));
+    let program = scheduled(&example);
     assert!(program.to_string().contains("= v - 41/2"), "{program}");
+}
+
+/// Σ c_ij u^i v^j with small coefficients, many of them zero.
+fn small_poly(rows: usize, columns: usize) -> impl Strategy<Value = Poly> {
+    let coefficient = prop_oneof![2 => Just(0), 3 => -3_i64..=3];
+    let matrix = prop::collection::vec(prop::collection::vec(coefficient, columns), rows);
+    matrix.prop_map(|matrix| {
+        let (_, _, u, v) = parameters();
+        let entry = |(i, j, c): (u32, u32, i64)| Poly::integer(c) * u.pow(i) * v.pow(j);
+        let row = |(i, row): (u32, Vec<i64>)| (0..).zip(row).map(move |(j, c)| (i, j, c));
+        (0..).zip(matrix).flat_map(row).map(entry).sum()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn schedules_of_any_surface_are_proved(
+        factors in (small_poly(3, 1), small_poly(1, 3)),
+        mixed in small_poly(2, 2),
+        is_product in any::<bool>(),
+        coordinates in [small_poly(4, 3), small_poly(3, 4), small_poly(2, 2)],
+        normal in [small_poly(2, 3), small_poly(3, 2), small_poly(2, 2)],
+    ) {
+        let (u, v, ..) = parameters();
+        let weight = if is_product { &factors.0 * &factors.1 } else { mixed };
+        prop_assume!(!weight.is_zero());
+        let [x, y, z] = coordinates;
+        let example = Example {
+            homogeneous: [weight, x, y, z],
+            normal,
+            root: None,
+            singular: None,
+            known: Vec::new(),
+            domain: unit_square(),
+            u,
+            v,
+        };
+        let program = schedule(&example.derived()).unwrap();
+        prop_assert_eq!(check(&program, &example.derived()), Ok(()));
+    }
 }

@@ -1,0 +1,487 @@
+//! Items to models: the surface and the claims that a sweep or a lemma stands for.
+
+use std::rc::Rc;
+
+use hodograph_algebra::{Interval, Poly, SweptSurface, Variable, Vector, budget};
+
+use super::curves::{self, CurveContext};
+use super::fault::Fault;
+use super::relation::{self, Finding};
+use super::scope::Scope;
+use super::value::{FunctionValue, Value};
+use crate::language::ast::{
+    Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name, RelationOperator, Verdict,
+};
+use crate::language::{Diagnostic, Diagnostics, Span};
+
+/// What a sweep or a lemma means: its surface, and its claims ready to be checked.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Sweep or lemma.
+    pub kind: ItemKind,
+    /// The name.
+    pub name: String,
+    /// Where the name stands.
+    pub span: Span,
+    /// The documentation, line by line.
+    pub docs: Vec<String>,
+    /// Where the formula is taken from, as `source` says.
+    pub source: Option<String>,
+    /// The clauses that define the surface, as the language writes them, one a line.
+    pub formula: Vec<String>,
+    /// The surface of a sweep.
+    pub surface: Option<Rc<SweptSurface>>,
+    /// The claims, in the order of the source.
+    pub claims: Vec<Claim>,
+    scope: Scope,
+}
+
+/// What became of one claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Judgement {
+    /// The claim's id.
+    pub id: String,
+    /// The sweep or lemma that it stands in.
+    pub sweep: String,
+    /// What the item gives as its source.
+    pub source: Option<String>,
+    /// The claim as the language writes it.
+    pub statement: String,
+    /// The notes of the claim.
+    pub notes: Vec<String>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// For what the verdict holds.
+    pub scope: String,
+    /// The conditions of the claim.
+    pub condition: Option<String>,
+    /// The verdict that the source expects.
+    pub expected: Verdict,
+    /// What was derived.
+    pub derived: String,
+    /// Where the claim fails.
+    pub witness: Option<String>,
+}
+
+/// The models of all items of a file, and the mistakes in them.
+#[must_use]
+pub fn models(file: &File) -> (Vec<Model>, Diagnostics) {
+    let mut diagnostics = Diagnostics::new();
+    let mut models = Vec::new();
+    for item in &file.items {
+        match model(item, &mut diagnostics) {
+            Some(model) => models.push(model),
+            None => debug_assert!(!diagnostics.is_empty()),
+        }
+    }
+    (models, diagnostics)
+}
+
+fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
+    let before = diagnostics.count();
+    let mut scope = Scope::new(parameters(item));
+    let prefixes = symbolic_curves(item) > 1;
+    let mut surface = None;
+    let mut source = None;
+    // Domains first: arc lengths begin where they do.
+    for clause in &item.clauses {
+        if let ClauseKind::Domain(intervals) = &clause.kind {
+            for interval in intervals {
+                let result = guarded(interval.start.span().to(interval.end.span()), || {
+                    domain(&scope, &interval.parameter, &interval.start, &interval.end)
+                });
+                match result {
+                    Ok((parameter, interval)) => {
+                        scope.domains.insert(parameter, interval);
+                    }
+                    Err(fault) => diagnostics.push(fault.diagnostic),
+                }
+            }
+        }
+    }
+    for clause in &item.clauses {
+        let result = match &clause.kind {
+            ClauseKind::Source(text) => {
+                source = Some(text.value.clone());
+                Ok(())
+            }
+            ClauseKind::Claim(_) | ClauseKind::Domain(_) => Ok(()),
+            ClauseKind::Surface(definition) => {
+                let role = "the surface";
+                surface_of(&scope, item, &definition.value, role).and_then(|value| {
+                    let value = Rc::new(value);
+                    surface = Some(value.clone());
+                    scope.define(&definition.name, Value::Surface(value.clone()))?;
+                    scope.surface = Some(value);
+                    Ok(())
+                })
+            }
+            _ => define(&mut scope, clause, prefixes),
+        };
+        if let Err(fault) = result {
+            if !fault.reported {
+                diagnostics.push(fault.diagnostic);
+            }
+            // Later clauses would only repeat that a name is missing.
+            poison(&mut scope, clause);
+        }
+    }
+    let claims: Vec<Claim> = item
+        .clauses
+        .iter()
+        .filter_map(|clause| if let ClauseKind::Claim(claim) = &clause.kind { Some(claim.clone()) } else { None })
+        .collect();
+    for claim in &claims {
+        for expr in std::iter::once(&claim.relation).chain(&claim.conditions) {
+            check_names(&scope, expr, diagnostics);
+        }
+    }
+    if diagnostics.count() > before {
+        return None;
+    }
+    Some(Model {
+        kind: item.kind,
+        name: item.name.value.clone(),
+        span: item.name.span,
+        docs: item.docs.iter().map(|line| line.value.trim().to_owned()).collect(),
+        source,
+        formula: item.clauses.iter().filter(|clause| defines_surface(clause)).map(ToString::to_string).collect(),
+        surface,
+        claims,
+        scope,
+    })
+}
+
+fn defines_surface(clause: &Clause) -> bool {
+    !matches!(clause.kind, ClauseKind::Source(_) | ClauseKind::Claim(_))
+}
+
+/// The parameters of an item: those of its surface, or of its curves and functions.
+fn parameters(item: &Item) -> Vec<Variable> {
+    let mut names: Vec<&str> = Vec::new();
+    for clause in &item.clauses {
+        match &clause.kind {
+            ClauseKind::Surface(surface) => names.extend(surface.parameter_names()),
+            ClauseKind::Domain(intervals) => names.extend(intervals.iter().map(|i| i.parameter.value.as_str())),
+            ClauseKind::Curve(curve) => names.push(&curve.parameter.value),
+            ClauseKind::Function(functions) => names.extend(functions.iter().map(|f| f.parameter.value.as_str())),
+            ClauseKind::Let(definition) => names.extend(definition.parameters.iter().map(|p| p.value.as_str())),
+            _ => {}
+        }
+    }
+    let surface = item.clauses.iter().find_map(|clause| match &clause.kind {
+        ClauseKind::Surface(surface) => Some(surface.parameter_names()),
+        _ => None,
+    });
+    names.sort_unstable();
+    names.dedup();
+    if let Some(own) = surface {
+        names.retain(|name| !own.contains(name));
+        names.splice(0..0, own);
+    }
+    (0_u32..).zip(names).map(|(rank, name)| Variable::new(rank.min(Variable::SYMBOL - 1), name)).collect()
+}
+
+/// The number of curves with symbolic coefficients.
+fn symbolic_curves(item: &Item) -> usize {
+    let symbolic = |clause: &&Clause| match &clause.kind {
+        ClauseKind::Curve(curve) => match curve.value.kind() {
+            ExprKind::Call { callee, arguments } => match callee.kind() {
+                ExprKind::Ident(name) => match name.as_str() {
+                    "polynomial_curve" | "rational_curve" => true,
+                    "ph" => !arguments.iter().any(|argument| matches!(argument.value.kind(), ExprKind::Array(_))),
+                    _ => false,
+                },
+                _ => false,
+            },
+            _ => false,
+        },
+        _ => false,
+    };
+    item.clauses.iter().filter(symbolic).count()
+}
+
+/// Runs a part of the evaluation under the budget; the place is that of the expression.
+fn guarded<T>(span: Span, work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+    match budget::with_budget(budget::DEFAULT_LIMIT, work) {
+        Ok(result) => result,
+        Err(exhausted) => Err(Fault::exhausted(span, &exhausted)),
+    }
+}
+
+fn domain(scope: &Scope, parameter: &Name, start: &Expr, end: &Expr) -> Result<(Variable, Interval), Fault> {
+    let found = scope.parameters.iter().find(|known| known.name() == parameter.value);
+    let variable = found.cloned().ok_or_else(|| {
+        Fault::new(parameter.span, format!("`{}` is not a parameter of this item", parameter.value))
+    })?;
+    let lower = scope.number(start, "the beginning of a domain")?;
+    let upper = scope.number(end, "the end of a domain")?;
+    match Interval::new(lower, upper) {
+        Some(interval) => Ok((variable, interval)),
+        None => Err(Fault::new(start.span().to(end.span()), "this domain does not end after its beginning")
+            .help("write the smaller number first: `0..1`")),
+    }
+}
+
+fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<SweptSurface, Fault> {
+    guarded(expr.span(), || {
+        let value = scope.evaluate(expr)?;
+        let position = value.vector().ok_or_else(|| {
+            let fault = Fault::new(expr.span(), format!("{role} must be a vector in space, but this is {}", value.kind()));
+            fault.help("a scalar becomes a vector by a unit vector: `z*k`")
+        })?;
+        check_finite(&value, expr.span())?;
+        let parameters = super::calls::surface_parameters(scope);
+        let domain = |parameter: &Variable| {
+            scope.domains.get(parameter).cloned().ok_or_else(|| {
+                Fault::new(item.name.span, format!("the domain of `{parameter}` is not stated"))
+                    .help(format!("add `domain {parameter} in 0..1;`"))
+            })
+        };
+        let domain = [domain(&parameters[0])?, domain(&parameters[1])?];
+        let other = position.components().iter().flat_map(|f| f.occurring_variables()).find(|variable| {
+            scope.calculus.is_function(variable) || (scope.parameters.contains(variable) && !parameters.contains(variable))
+        });
+        if let Some(other) = other {
+            let message = if scope.calculus.is_function(&other) {
+                format!("the surface contains the unknown function `{other}`")
+            } else {
+                format!("the surface contains the parameter `{other}`, which is not one of its own")
+            };
+            return Err(Fault::new(expr.span(), message).help("a lemma can state identities for unknown functions"));
+        }
+        Ok(SweptSurface::new(position, parameters, domain))
+    })
+}
+
+/// Reports π outside of angles: it is not algebraic.
+fn check_finite(value: &Value, span: Span) -> Result<(), Fault> {
+    let pi = Variable::new(Variable::SYMBOL, "pi");
+    let parts = value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components()).unwrap_or_default();
+    if parts.iter().any(|part| part.occurring_variables().contains(&pi)) {
+        let fault = Fault::new(span, "pi is not algebraic, so it can only stand in angles");
+        return Err(fault.help("write `cos(pi/8)`, `sin(pi/8)` or `exp(I*pi/8)`"));
+    }
+    Ok(())
+}
+
+fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Fault> {
+    match &clause.kind {
+        ClauseKind::Symbol(names) => {
+            for name in names {
+                let symbol = Variable::new(Variable::SYMBOL, &name.value);
+                scope.define(name, Value::Scalar(Poly::variable(&symbol).into()))?;
+                scope.symbols.push(symbol);
+            }
+        }
+        ClauseKind::Function(functions) => {
+            for function in functions {
+                scope.check_new(&function.name)?;
+                let parameter = parameter(scope, &function.parameter)?;
+                let mut calculus = hodograph_algebra::Calculus::clone(&scope.calculus);
+                let symbol = calculus.function(&function.name.value, &parameter);
+                scope.calculus = Rc::new(calculus);
+                let value = FunctionValue { parameters: vec![parameter], value: Value::Scalar(symbol.into()) };
+                scope.define(&function.name, Value::Function(Rc::new(value)))?;
+            }
+        }
+        ClauseKind::Let(definition) => let_value(scope, definition)?,
+        ClauseKind::Curve(curve) => {
+            scope.check_new(&curve.name)?;
+            let parameter = parameter(scope, &curve.parameter)?;
+            let name = curve.name.value.clone();
+            let prefix = if prefixes { format!("{name}_") } else { String::new() };
+            scope.curve = Some(CurveContext { name, parameter: parameter.clone(), prefix });
+            let value = guarded(curve.value.span(), || {
+                let value = scope.evaluate(&curve.value)?;
+                check_finite(&value, curve.value.span())?;
+                curve_value(scope, curve.role, &parameter, &value, curve.value.span())
+            });
+            scope.curve = None;
+            scope.define(&curve.name, value?)?;
+            scope.settle(curve.name.span)?;
+        }
+        ClauseKind::Substitute(definition) => {
+            let span = definition.name.span;
+            return Err(Fault::new(span, "`substitute` is not supported in this version")
+                .help("substitute in the formula itself, with `let`"));
+        }
+        ClauseKind::Source(_) | ClauseKind::Surface(_) | ClauseKind::Domain(_) | ClauseKind::Claim(_) => {}
+    }
+    Ok(())
+}
+
+/// A curve from what its clause says: a constructor's curve, or a position vector.
+fn curve_value(
+    scope: &Scope,
+    role: CurveRole,
+    parameter: &Variable,
+    value: &Value,
+    span: Span,
+) -> Result<Value, Fault> {
+    if let Value::Curve(curve) = value.bare() {
+        if curve.parameter() == parameter {
+            return Ok(Value::Curve(curve.clone()));
+        }
+    }
+    let position: Vector = value.vector().ok_or_else(|| {
+        let what = match role {
+            CurveRole::Profile => "a profile",
+            CurveRole::Path => "a path",
+            CurveRole::Curve => "a curve",
+        };
+        let fault = Fault::new(span, format!("{what} must be a vector, but this is {}", value.kind()));
+        fault.help("write `x*i + z*k`, `(x, y)` or `(x, y, z)`")
+    })?;
+    let foreign = position
+        .components()
+        .iter()
+        .flat_map(|f| f.occurring_variables())
+        .find(|variable| scope.parameters.contains(variable) && variable != parameter);
+    if let Some(foreign) = foreign {
+        let message = format!("this curve of `{parameter}` contains the parameter `{foreign}`");
+        return Err(Fault::new(span, message).help(format!("a curve depends on `{parameter}` alone")));
+    }
+    Ok(Value::Curve(curves::curve(scope, parameter, position, Default::default())))
+}
+
+fn parameter(scope: &Scope, name: &Name) -> Result<Variable, Fault> {
+    let found = scope.parameters.iter().find(|parameter| parameter.name() == name.value);
+    found.cloned().ok_or_else(|| Fault::new(name.span, format!("`{}` is not a parameter", name.value)))
+}
+
+fn let_value(scope: &mut Scope, definition: &Definition) -> Result<(), Fault> {
+    scope.check_new(&definition.name)?;
+    let parameters =
+        definition.parameters.iter().map(|name| parameter(scope, name)).collect::<Result<Vec<_>, _>>()?;
+    let value = guarded(definition.value.span(), || {
+        let value = scope.evaluate(&definition.value)?;
+        let angle = parameters.is_empty();
+        // An angle may have a name of its own, as long as it stays one.
+        if !angle {
+            check_finite(&value, definition.value.span())?;
+        }
+        Ok(value)
+    })?;
+    let value = if parameters.is_empty() {
+        value
+    } else {
+        Value::Function(Rc::new(FunctionValue { parameters, value }))
+    };
+    scope.define(&definition.name, value)?;
+    Ok(())
+}
+
+/// Gives the names of a clause that failed some value, so that they are not reported as missing.
+fn poison(scope: &mut Scope, clause: &Clause) {
+    let names: Vec<&Name> = match &clause.kind {
+        ClauseKind::Let(definition) => vec![&definition.name],
+        ClauseKind::Curve(curve) => vec![&curve.name],
+        ClauseKind::Surface(surface) => vec![&surface.name],
+        _ => return,
+    };
+    for name in names {
+        scope.poison(name);
+    }
+}
+
+/// Reports unknown names in a claim, which is evaluated only when it is checked.
+fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnostics) {
+    match expr.kind() {
+        ExprKind::Ident(name) => {
+            if !scope.knows(name) {
+                diagnostics.push(scope.unknown(name, expr.span()).diagnostic);
+            }
+        }
+        _ => expr.children().for_each(|child| check_names(scope, child, diagnostics)),
+    }
+}
+
+impl Model {
+    /// Checks one claim under a budget.
+    ///
+    /// # Errors
+    /// A mistake in the claim. A claim that needs more than the budget is *undecided*, not a mistake.
+    pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Diagnostic> {
+        let outcome = budget::with_budget(limit, || {
+            let scope = self.conditioned(claim)?;
+            check_names_at_once(&scope, &claim.relation)?;
+            relation::settle(&scope, &claim.relation)
+        });
+        let finding = match outcome {
+            Ok(Ok(finding)) => finding,
+            Ok(Err(fault)) => return Err(fault.diagnostic),
+            Err(exhausted) => Finding {
+                verdict: Verdict::Undecided,
+                derived: exhausted.to_string(),
+                witness: None,
+                variables: Vec::new(),
+            },
+        };
+        let conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
+        Ok(Judgement {
+            id: claim.id.value.clone(),
+            sweep: self.name.clone(),
+            source: self.source.clone(),
+            statement: claim.relation.to_string(),
+            notes: claim.notes.iter().map(|note| note.value.clone()).collect(),
+            verdict: finding.verdict,
+            scope: self.scope_of(&finding),
+            condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
+            expected: claim.expected.as_ref().map_or(Verdict::Proved, |expected| expected.value),
+            derived: finding.derived,
+            witness: finding.witness.filter(|_| finding.verdict == Verdict::Refuted),
+        })
+    }
+
+    /// The scope of a claim with its conditions put in: `when c0 == 1` sets a symbol.
+    fn conditioned(&self, claim: &Claim) -> Result<Scope, Fault> {
+        let mut scope = self.scope.clone();
+        for condition in &claim.conditions {
+            let ExprKind::Relation { left, operator: RelationOperator::Equal, right } = condition.kind() else {
+                return Err(Fault::new(condition.span(), "a condition must set a symbol").help("write `when c0 == 1`"));
+            };
+            let ExprKind::Ident(name) = left.kind() else {
+                return Err(Fault::new(left.span(), "a condition must set a symbol").help("write `when c0 == 1`"));
+            };
+            let symbol = scope.symbols.iter().find(|symbol| symbol.name() == name).cloned();
+            let symbol = symbol.ok_or_else(|| Fault::new(left.span(), format!("`{name}` is not a symbol")))?;
+            let value = scope.scalar(right, "the value of a symbol")?;
+            scope = scope.with_symbol(&symbol, &value, condition.span())?;
+        }
+        Ok(scope)
+    }
+
+    /// For what a finding holds, in words.
+    fn scope_of(&self, finding: &Finding) -> String {
+        let (mut functions, mut symbols) = (Vec::new(), Vec::new());
+        for variable in &finding.variables {
+            if self.scope.calculus.is_function(variable) {
+                functions.push(variable.name());
+            } else if !self.scope.parameters.contains(variable) {
+                symbols.push(variable.name());
+            }
+        }
+        let quantity = |names: &[&str]| names.join(", ");
+        match (functions.as_slice(), symbols.as_slice()) {
+            ([], []) => match self.kind {
+                ItemKind::Sweep => format!("the sweep {}", self.name),
+                ItemKind::Lemma => format!("the data of the lemma {}", self.name),
+            },
+            ([], symbols) => format!("all {}, as indeterminates", quantity(symbols)),
+            (functions, []) => format!("all functions {}", quantity(functions)),
+            (functions, symbols) => {
+                format!("all functions {} and all {}, as indeterminates", quantity(functions), quantity(symbols))
+            }
+        }
+    }
+}
+
+fn check_names_at_once(scope: &Scope, expr: &Expr) -> Result<(), Fault> {
+    let mut diagnostics = Diagnostics::new();
+    check_names(scope, expr, &mut diagnostics);
+    match diagnostics.iter().next() {
+        Some(diagnostic) => Err(diagnostic.clone().into()),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,15 @@
+//! The meaning of the sweep language: from the syntax tree to curves, surfaces and verdicts.
+
+mod calls;
+mod curves;
+mod expression;
+mod fault;
+mod item;
+mod members;
+mod relation;
+mod scope;
+mod value;
+mod witness;
+
+pub use expression::MAX_EXPONENT;
+pub use item::{Judgement, Model, models};

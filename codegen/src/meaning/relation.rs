@@ -1,0 +1,365 @@
+//! What becomes of a claim: relations to verdicts, computed exactly.
+
+use hodograph_algebra::{BoxSign, Fraction, Interval, OffsetError, Poly, Variable, integer, parse_decimal};
+
+use super::calls;
+use super::expression::shortened;
+use super::fault::Fault;
+use super::scope::Scope;
+use super::value::Value;
+use super::witness;
+use crate::language::Span;
+use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator, Verdict};
+
+/// A verdict with what supports it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The value that was derived, in place of which the claim has its own.
+    pub derived: String,
+    /// Where the claim fails.
+    pub witness: Option<String>,
+    /// The variables that the sides depend on.
+    pub variables: Vec<Variable>,
+}
+
+impl Finding {
+    fn new(holds: bool, derived: impl Into<String>) -> Finding {
+        let verdict = if holds { Verdict::Proved } else { Verdict::Refuted };
+        Finding { verdict, derived: derived.into(), witness: None, variables: Vec::new() }
+    }
+
+    fn undecided(derived: impl Into<String>) -> Finding {
+        Finding { verdict: Verdict::Undecided, derived: derived.into(), witness: None, variables: Vec::new() }
+    }
+
+    fn with_witness(mut self, witness: Option<String>) -> Finding {
+        self.witness = witness;
+        self
+    }
+
+    fn about<'a>(mut self, values: impl IntoIterator<Item = &'a Fraction>) -> Finding {
+        self.variables.extend(values.into_iter().flat_map(Fraction::occurring_variables));
+        self.variables.sort();
+        self.variables.dedup();
+        self
+    }
+}
+
+/// Settles a relation.
+pub(super) fn settle(scope: &Scope, relation: &Expr) -> Result<Finding, Fault> {
+    match relation.kind() {
+        ExprKind::Not(inner) => {
+            let finding = settle(scope, inner)?;
+            let verdict = match finding.verdict {
+                Verdict::Proved => Verdict::Refuted,
+                Verdict::Refuted => Verdict::Proved,
+                Verdict::Undecided => Verdict::Undecided,
+            };
+            Ok(Finding { verdict, ..finding })
+        }
+        ExprKind::Relation { left, operator, right } => compare(scope, left, *operator, right),
+        ExprKind::Call { callee, arguments } => match callee.kind() {
+            ExprKind::Ident(name) => predicate(scope, relation, name, arguments),
+            _ => Err(no_relation(relation)),
+        },
+        _ => Err(no_relation(relation)),
+    }
+}
+
+fn no_relation(expr: &Expr) -> Fault {
+    Fault::new(expr.span(), "this is a value, not a relation")
+        .help("a claim is `a == b`, `a <= b`, `parallel(a, b)`, `positive(a)`, `is_rational(a)`, `coprime(a, b)` or `approx(a, 1.5)`")
+}
+
+fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument]) -> Result<Finding, Fault> {
+    let call = calls::Call { scope, span: relation.span(), name, arguments };
+    match name {
+        "parallel" => {
+            let [a, b] = call.positional()?;
+            parallel(scope, a, b)
+        }
+        "positive" => {
+            let [a] = call.positional()?;
+            let value = scope.scalar(a, "what is claimed to be positive")?;
+            inequality(scope, &value, true, relation.span())
+        }
+        "is_rational" => {
+            let [a] = call.positional()?;
+            is_rational(scope, a)
+        }
+        "approx" => {
+            let [a, digits] = call.positional()?;
+            approx(scope, a, digits)
+        }
+        "coprime" => {
+            let exprs = arguments.iter().map(|argument| &argument.value);
+            let polys = exprs.map(|expr| calls::polynomial(scope, expr)).collect::<Result<Vec<_>, _>>()?;
+            if polys.len() < 2 {
+                return Err(Fault::new(relation.span(), "`coprime` takes two polynomials at least"));
+            }
+            let gcd = Poly::gcd_many(&polys);
+            let sides: Vec<Fraction> = polys.into_iter().map(Fraction::from).collect();
+            let text = format!("the common factor is {}", shortened(&gcd.to_string()));
+            Ok(Finding::new(gcd.is_one(), text).about(&sides))
+        }
+        _ => Err(no_relation(relation)),
+    }
+}
+
+fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr) -> Result<Finding, Fault> {
+    let (a, b) = (scope.evaluate(left)?, scope.evaluate(right)?);
+    for (expr, value) in [(left, &a), (right, &b)] {
+        if let Value::Offset(offset) = value.bare() {
+            if let Err(error) = offset.as_ref() {
+                return Err(Fault::offset(expr.span(), error));
+            }
+        }
+    }
+    if let Value::Degree(degree) = a.bare() {
+        let derived = degree.to_string();
+        let stated = degrees(&b).ok_or_else(|| {
+            Fault::new(right.span(), "a degree is compared with a pair of integers").help("write `degree(X) == (2, 9)`")
+        })?;
+        let own = [degree.u, degree.v];
+        let holds = |test: fn(&i64, &i64) -> bool| own.iter().zip(&stated).all(|(a, b)| test(a, b));
+        let holds = match operator {
+            RelationOperator::Equal => holds(i64::eq),
+            RelationOperator::LessEqual => holds(i64::le),
+            RelationOperator::GreaterEqual => holds(i64::ge),
+            RelationOperator::Less => holds(i64::lt),
+            RelationOperator::Greater => holds(i64::gt),
+        };
+        let symbols = scope.symbols.iter().map(|symbol| Fraction::from(Poly::variable(symbol))).collect::<Vec<_>>();
+        return Ok(Finding::new(holds, derived).about(&symbols));
+    }
+    if operator == RelationOperator::Equal {
+        return equality(scope, left, &a, right, &b);
+    }
+    let side = |value: &Value, expr: &Expr| {
+        value.scalar().ok_or_else(|| {
+            Fault::new(expr.span(), format!("an inequality compares scalars, but this is {}", value.kind()))
+        })
+    };
+    let (a, b) = (side(&a, left)?, side(&b, right)?);
+    let (difference, strict) = match operator {
+        RelationOperator::Less => (&b - &a, true),
+        RelationOperator::Greater => (&a - &b, true),
+        RelationOperator::GreaterEqual => (&a - &b, false),
+        _ => (&b - &a, false),
+    };
+    inequality(scope, &difference, strict, left.span().to(right.span()))
+}
+
+/// The degrees that a pair states.
+fn degrees(value: &Value) -> Option<[i64; 2]> {
+    if let Value::Degree(degree) = value.bare() {
+        return Some([degree.u, degree.v]);
+    }
+    let Value::Tuple(parts) = value.bare() else { return None };
+    let part = |part: &Fraction| part.to_rational().filter(|value| value.is_integer())?.to_integer().small();
+    let [u, v] = parts.as_slice() else { return None };
+    Some([part(u)?, part(v)?])
+}
+
+fn equality(scope: &Scope, left: &Expr, a: &Value, right: &Expr, b: &Value) -> Result<Finding, Fault> {
+    let (a, b) = if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
+        (vec![a.re, a.im], vec![b.re, b.im])
+    } else {
+        let mixed = || {
+            let message = format!("{} is compared with {}", a.kind(), b.kind());
+            Fault::new(left.span().to(right.span()), message).help("both sides must be scalars, or vectors")
+        };
+        let long = |value: &Value| matches!(value.bare(), Value::Tuple(parts) if parts.len() > 3);
+        let sides = if long(a) || long(b) {
+            (a.components(), b.components())
+        } else {
+            let components = |value: &Value| value.vector().map(|vector| vector.components().to_vec());
+            (components(a), components(b))
+        };
+        match sides {
+            (Some(a), Some(b)) if a.len() == b.len() => (a, b),
+            _ => return Err(mixed()),
+        }
+    };
+    let differences: Vec<Fraction> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
+    let holds = differences.iter().all(Fraction::is_zero);
+    let value = print(&a);
+    if holds {
+        return Ok(Finding::new(true, format!("both sides are {value}")).about(a.iter().chain(&b)));
+    }
+    let witness = witness::unequal(scope, &a, &b);
+    Ok(Finding::new(false, format!("the left side is {value}")).with_witness(witness).about(a.iter().chain(&b)))
+}
+
+/// A value for a report: scalars bare, several components in parentheses, cut where very long.
+pub(super) fn print(components: &[Fraction]) -> String {
+    let reduced: Vec<String> = components.iter().map(|component| component.reduced().to_string()).collect();
+    let parts = match reduced.as_slice() {
+        // The imaginary part of a real number is no news.
+        [re, im] if im == "0" => re.clone(),
+        [one] => one.clone(),
+        many => format!("({})", many.join(", ")),
+    };
+    const LONGEST: usize = 400;
+    if parts.chars().count() <= LONGEST {
+        return parts;
+    }
+    let length = parts.chars().count();
+    format!("{}… ({length} characters)", parts.chars().take(LONGEST).collect::<String>())
+}
+
+fn parallel(scope: &Scope, left: &Expr, right: &Expr) -> Result<Finding, Fault> {
+    let side = |expr: &Expr| {
+        let value = scope.evaluate(expr)?;
+        if let Value::Offset(offset) = value.bare() {
+            if let Err(error) = offset.as_ref() {
+                return Err(Fault::offset(expr.span(), error));
+            }
+        }
+        value.components().ok_or_else(|| {
+            Fault::new(expr.span(), format!("`parallel` compares vectors, but this is {}", value.kind()))
+        })
+    };
+    let (mut a, mut b) = (side(left)?, side(right)?);
+    if a.len() != b.len() {
+        if a.len() > 3 || b.len() > 3 {
+            let message = format!("{} components are compared with {}", a.len(), b.len());
+            return Err(Fault::new(left.span().to(right.span()), message));
+        }
+        a.resize(3, Fraction::zero());
+        b.resize(3, Fraction::zero());
+    }
+    let zero = |side: &[Fraction]| side.iter().all(Fraction::is_zero);
+    if zero(&a) || zero(&b) {
+        let which = if zero(&a) { "left" } else { "right" };
+        return Ok(Finding::new(false, format!("the {which} side is zero and has no direction")).about(a.iter().chain(&b)));
+    }
+    let pairs = (0..a.len()).flat_map(|i| (0..i).map(move |j| (j, i)));
+    let unequal = pairs.into_iter().find(|&(i, j)| &a[i] * &b[j] != &a[j] * &b[i]);
+    let derived = format!("the left side is {}", print(&a));
+    Ok(match unequal {
+        None => Finding::new(true, derived),
+        Some((i, j)) => {
+            let (p, q) = (&a[i] * &b[j], &a[j] * &b[i]);
+            let witness = witness::not_parallel(scope, &[p], &[q], &a, &b);
+            Finding::new(false, derived).with_witness(witness)
+        }
+    }
+    .about(a.iter().chain(&b)))
+}
+
+fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
+    match scope.evaluate(expr) {
+        Err(fault) if fault.irrational => Ok(Finding::new(false, fault.diagnostic.message)),
+        Err(fault) => Err(fault),
+        Ok(value) => match value.bare() {
+            Value::Offset(offset) => match offset.as_ref() {
+                Ok(surface) => {
+                    let degree = surface.homogeneous().degree();
+                    Ok(Finding::new(true, format!("rational, of degree {degree}")).about(surface.position().components()))
+                }
+                Err(error @ OffsetError::SymbolicRadical { .. }) => Ok(Finding::new(true, error.to_string())),
+                Err(error @ OffsetError::Irrational { .. }) => Ok(Finding::new(false, error.to_string())),
+                Err(error) => Err(Fault::offset(expr.span(), error)),
+            },
+            other => {
+                let components = other.complex().map(|z| vec![z.re, z.im]).or_else(|| other.components());
+                let derived = components.as_deref().map_or_else(|| other.kind().to_owned(), print);
+                Ok(Finding::new(true, derived).about(components.iter().flatten()))
+            }
+        },
+    }
+}
+
+/// Whether a value agrees with a printed decimal: their difference is at most half a unit of the last digit.
+fn approx(scope: &Scope, value: &Expr, digits: &Expr) -> Result<Finding, Fault> {
+    let number = scope.number(value, "what is approximated")?;
+    let (literal, negative) = match digits.kind() {
+        ExprKind::Negative(inner) => (inner.as_ref(), true),
+        _ => (digits, false),
+    };
+    let decimal = match literal.kind() {
+        ExprKind::Number(text) => parse_decimal(text).map(|value| (text, value)),
+        _ => None,
+    };
+    let Some((text, decimal)) = decimal else {
+        return Err(Fault::new(digits.span(), "a decimal number is expected here").help("write `approx(a, 1.414)`"));
+    };
+    let stated = Poly::constant(if negative { -decimal } else { decimal });
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+    // The literal was read, so its exponent is small.
+    let places = i64::try_from(places).unwrap_or(0) - exponent.parse::<i64>().unwrap_or(0);
+    let Some(unit) = parse_decimal(&format!("1e{}", -places)) else {
+        return Err(Fault::new(digits.span(), "this decimal has too many digits"));
+    };
+    let difference = &number - &stated;
+    let size = if difference.sign().is_lt() { -difference } else { difference };
+    let holds = size.scale(&integer(2)).compare(&Poly::constant(unit)).is_le();
+    let shown = u32::try_from(places.max(0)).unwrap_or(0) + 6;
+    let exact = shortened(&number.to_string());
+    Ok(Finding::new(holds, format!("{} ({exact})", number.to_decimal(shown))))
+}
+
+/// Whether `value` is positive (or, if not `strict`, not negative) for all values of the parameters in their domains.
+fn inequality(scope: &Scope, value: &Fraction, strict: bool, span: Span) -> Result<Finding, Fault> {
+    let value = value.lowest_terms();
+    if let Some(number) = value.to_number() {
+        let sign = number.sign();
+        let holds = sign.is_gt() || (!strict && sign.is_eq());
+        return Ok(Finding::new(holds, format!("the difference to zero is {}", shortened(&number.to_string()))));
+    }
+    let variables = value.occurring_variables();
+    let mut domain: Vec<(Variable, Interval)> = Vec::new();
+    for variable in &variables {
+        match scope.domains.get(variable) {
+            Some(interval) => domain.push((variable.clone(), interval.clone())),
+            None if scope.parameters.contains(variable) => {
+                let message = format!("the domain of `{variable}` is not stated");
+                return Err(Fault::new(span, message).help(format!("add `domain {variable} in 0..1;`")));
+            }
+            None => {
+                return Ok(Finding::undecided(format!("it depends on the unknown `{variable}`")).about([&value]));
+            }
+        }
+    }
+    for (factor, _) in value.factors() {
+        if factor.sign_on(&domain).is_none_or(|sign| !matches!(sign, BoxSign::Positive | BoxSign::Negative)) {
+            let message = format!("the denominator {} may vanish on the domain", shortened(&factor.to_string()));
+            return Ok(Finding::undecided(message).about([&value]));
+        }
+    }
+    // Even powers of the denominator do not matter for the sign.
+    let odd = value.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = odd.fold(value.numerator().clone(), |product, (factor, _)| product * factor);
+    let Some(sign) = signed.sign_on(&domain) else {
+        return Ok(Finding::undecided("the sign cannot be determined").about([&value]));
+    };
+    let at = |point| witness::point(&point);
+    let finding = match sign {
+        BoxSign::Positive => Finding::new(true, "positive on the whole domain"),
+        BoxSign::Negative => {
+            Finding::new(false, "negative on the whole domain").with_witness(witness::corner(&domain))
+        }
+        BoxSign::Zero => Finding::new(!strict, "zero everywhere").with_witness(witness::corner(&domain)),
+        BoxSign::NonNegative { zeros } if !strict => Finding::new(true, format!("not negative; zeros: {zeros}")),
+        BoxSign::NonNegative { zeros } if zeros.is_empty() => Finding::new(true, "positive on the whole domain"),
+        BoxSign::NonNegative { zeros } if zeros.is_complete() => {
+            let finding = Finding::new(false, format!("not negative, with zeros: {zeros}"));
+            finding.with_witness(zeros.witness(&domain).map(at))
+        }
+        BoxSign::NonPositive { zeros } => {
+            Finding::new(false, format!("not positive; zeros: {zeros}")).with_witness(witness::negative(&signed, &domain))
+        }
+        BoxSign::ChangesSign { negative, .. } => {
+            Finding::new(false, "of both signs on the domain").with_witness(Some(at(negative)))
+        }
+        BoxSign::Undecided { zero: Some(zero), .. } if strict => {
+            Finding::new(false, "it vanishes on the domain").with_witness(Some(at(zero)))
+        }
+        _ => Finding::undecided("subdivision reached its limit before the sign was decided"),
+    };
+    Ok(finding.about([&value]))
+}

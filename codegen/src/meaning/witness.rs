@@ -1,0 +1,108 @@
+//! Points at which a claim fails.
+
+use std::collections::BTreeMap;
+
+use hodograph_algebra::{Fraction, Interval, Point, Poly, Rational, Variable, ratio};
+
+use super::scope::Scope;
+
+/// How many points are tried; a nonzero rational function vanishes or has poles at few of them.
+const MOST_TRIALS: i64 = 64;
+
+/// A rational point at which the components of `a` and `b` differ, with both values.
+pub(super) fn unequal(scope: &Scope, a: &[Fraction], b: &[Fraction]) -> Option<String> {
+    find(scope, a, b, |a, b| a != b)
+}
+
+/// A rational point at which `p ≠ q`, which are a minor's products for `a` and `b`; the values shown are those of `a` and
+/// `b`.
+pub(super) fn not_parallel(
+    scope: &Scope,
+    p: &[Fraction],
+    q: &[Fraction],
+    a: &[Fraction],
+    b: &[Fraction],
+) -> Option<String> {
+    let joined = |x: &[Fraction], y: &[Fraction]| x.iter().chain(y).cloned().collect::<Vec<_>>();
+    let (left, right) = (joined(a, p), joined(b, q));
+    let split = a.len();
+    find_shown(scope, &left, &right, split, |a, b| a[split..] != b[split..])
+}
+
+/// A point of the domain where all variables are at the beginning of their intervals.
+pub(super) fn corner(domain: &[(Variable, Interval)]) -> Option<String> {
+    Some(point(&domain.iter().map(|(variable, interval)| (variable.clone(), interval.lower().clone())).collect()))
+}
+
+/// A point of the domain where the polynomial is negative, among a few rational ones.
+pub(super) fn negative(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<String> {
+    (1..MOST_TRIALS).find_map(|trial| {
+        let place = |(index, (variable, interval)): (i64, &(Variable, Interval))| {
+            (variable.clone(), interval.point(&fraction_of(trial, index)))
+        };
+        let at: Point = (0_i64..).zip(domain).map(place).collect();
+        poly.evaluate(&at).sign().is_lt().then(|| point(&at))
+    })
+}
+
+/// A point as text: `u = 1/2, v = 0`.
+pub(super) fn point(point: &Point) -> String {
+    let equations: Vec<String> = point.iter().map(|(variable, value)| format!("{variable} = {value}")).collect();
+    equations.join(", ")
+}
+
+fn find(
+    scope: &Scope,
+    a: &[Fraction],
+    b: &[Fraction],
+    differ: impl Fn(&[Poly], &[Poly]) -> bool,
+) -> Option<String> {
+    find_shown(scope, a, b, a.len(), differ)
+}
+
+fn find_shown(
+    scope: &Scope,
+    a: &[Fraction],
+    b: &[Fraction],
+    shown: usize,
+    differ: impl Fn(&[Poly], &[Poly]) -> bool,
+) -> Option<String> {
+    let mut variables: Vec<Variable> = a.iter().chain(b).flat_map(Fraction::occurring_variables).collect();
+    variables.sort();
+    variables.dedup();
+    for trial in 0..MOST_TRIALS {
+        let mut at = Point::new();
+        for (index, variable) in (0_i64..).zip(&variables) {
+            let value = match scope.domains.get(variable) {
+                Some(interval) => interval.point(&fraction_of(trial, index)),
+                None => Poly::constant(ratio(1 + index + trial * (index + 2), 1 + trial)),
+            };
+            at.insert(variable.clone(), value);
+        }
+        let values: BTreeMap<Variable, Fraction> =
+            at.iter().map(|(variable, value)| (variable.clone(), value.clone().into())).collect();
+        let evaluate = |side: &[Fraction]| -> Option<Vec<Poly>> {
+            side.iter().map(|f| f.substitute(&values).and_then(|value| value.to_number())).collect()
+        };
+        let (Some(left), Some(right)) = (evaluate(a), evaluate(b)) else { continue };
+        if differ(&left, &right) {
+            let print = |side: &[Poly]| {
+                let parts: Vec<String> = side.iter().take(shown).map(Poly::to_string).collect();
+                if let [one] = parts.as_slice() { one.clone() } else { format!("({})", parts.join(", ")) }
+            };
+            let sides = format!("left {}, right {}", print(&left), print(&right));
+            return Some(if at.is_empty() { sides } else { format!("{}: {sides}", point(&at)) });
+        }
+    }
+    None
+}
+
+/// Distinct rationals in the unit interval: both ends first, then points inside.
+fn fraction_of(trial: i64, index: i64) -> Rational {
+    match trial {
+        0 => ratio(1, 2 + index),
+        1 => ratio(index % 2, 1),
+        2 => ratio((index + 1) % 2, 1),
+        _ => ratio(1 + (trial * (index + 1)) % (trial + 3), trial + 4),
+    }
+}
