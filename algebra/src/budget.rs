@@ -80,9 +80,6 @@ pub fn with_budget<T>(limit: u64, work: impl FnOnce() -> T) -> Result<T, Exhaust
     ACCOUNT.with_borrow_mut(|account| {
         account.limit = outer_limit;
         account.doing.truncate(depth);
-        if outer_limit.is_none() {
-            account.spent = 0;
-        }
     });
     match outcome {
         Ok(value) => Ok(value),
@@ -106,9 +103,20 @@ pub fn spend(units: u64) {
     }
 }
 
-/// The units spent so far by the computation under way.
-#[must_use]
-pub fn spent() -> u64 {
+/// The result of `work` and the units that it spent.
+///
+/// ```
+/// use hodograph_algebra::budget;
+/// assert_eq!(budget::measured(|| budget::spend(3)), ((), 3));
+/// ```
+pub fn measured<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let before = spent();
+    let value = work();
+    (value, spent() - before)
+}
+
+/// The units spent so far on this thread.
+pub(crate) fn spent() -> u64 {
     ACCOUNT.with_borrow(|account| account.spent)
 }
 

@@ -1,8 +1,14 @@
-//! Language and code generation.
+//! Language and code generation: from the text of a sweep to verdicts on its claims and to source code that evaluates it.
+//!
+//! ```text
+//! text | tokens --language--> syntax tree --meaning--> Model --compile--> Artifact --emit--> source
+//! ```
 
+pub mod compile;
+pub mod emit;
+pub mod expansion;
 pub mod language;
 pub mod meaning;
 pub mod program;
-pub mod schedule;
 pub mod round;
-pub mod emit;
+pub mod schedule;

@@ -14,11 +14,13 @@
 #[allow(unused_extern_crates)]
 extern crate self as hodograph;
 
+pub mod catalogue;
 pub mod float;
 pub mod grid;
 mod regularity;
 mod surface;
 
 pub use grid::GridError;
+pub use hodograph_macros::sweep;
 pub use regularity::Regularity;
 pub use surface::{Domain, Surface};

@@ -23,6 +23,7 @@ pub struct Curve {
     hodograph: Vector,
     speed: Result<Fraction, CurveError>,
     arclength: Option<Fraction>,
+    preimage: Option<[Poly; 2]>,
     domain: Option<Interval>,
     calculus: Rc<Calculus>,
 }
@@ -80,6 +81,8 @@ pub struct KnownProperties {
     pub speed: Option<Fraction>,
     /// The arc length from the start, as a symbol of the calculus.
     pub arclength: Option<Fraction>,
+    /// Real and imaginary part of the preimage `w` of a planar PH curve.
+    pub preimage: Option<[Poly; 2]>,
 }
 
 impl Curve {
@@ -112,6 +115,7 @@ impl Curve {
             hodograph,
             speed,
             arclength: known.arclength,
+            preimage: known.preimage,
             domain,
             calculus,
         }
@@ -127,6 +131,12 @@ impl Curve {
     #[must_use]
     pub fn position(&self) -> &Vector {
         &self.position
+    }
+
+    /// Real and imaginary part `a`, `b` of the preimage `w`, if the curve was made from one: `s' = h·w²`.
+    #[must_use]
+    pub fn preimage(&self) -> Option<&[Poly; 2]> {
+        self.preimage.as_ref()
     }
 
     /// The hodograph: the derivative by the parameter.
@@ -285,6 +295,6 @@ pub fn moving_frame_curve(
     let x = coordinate("x", sigma * &cosine);
     let y = coordinate("y", sigma * &sine);
     let arclength = coordinate("arclength", sigma.clone());
-    let known = KnownProperties { speed: Some(sigma.clone()), arclength: Some(arclength) };
+    let known = KnownProperties { speed: Some(sigma.clone()), arclength: Some(arclength), preimage: None };
     (Vector::new(x, y, Fraction::zero()), known)
 }

@@ -108,8 +108,15 @@ pub(crate) fn narrow(
     Place::Open(lower, upper)
 }
 
-/// `2^bits` times the position, between 0 and 1, at which the secant from end to end vanishes, rounded.
+/// `2^bits` times the position, between 0 and 1, at which the secant from end to end vanishes, as an integer nearby.
 fn secant(poly: &Poly, variable: &Variable, lower: &Rational, upper: &Rational, bits: u64) -> Int {
+    if let (Some(from), Some(to)) = (numerator_at(poly, variable, lower), numerator_at(poly, variable, upper))
+    {
+        let degree = poly.degree(variable).unwrap_or(0);
+        let from = from * upper.denom().pow(degree);
+        let to = to * lower.denom().pow(degree);
+        return (from.shl(bits) / (&from - to)).abs();
+    }
     let [from, to] = [lower, upper].map(|end| poly.at(&[(variable, end)]));
     let position = &from * (&from - to).inverse();
     let scaled = position.enclosure(bits + 2).lower() * Rational::from(Int::ONE.shl(bits));
@@ -117,18 +124,25 @@ fn secant(poly: &Poly, variable: &Variable, lower: &Rational, upper: &Rational, 
 }
 
 /// The sign of a polynomial in one variable at a rational point.
-///
-/// Over the rationals, Horner's rule for the homogeneous polynomial `Σ aᵢ·pⁱ·qⁿ⁻ⁱ` in the numerator and denominator of
-/// the point.
 pub(crate) fn sign_at(poly: &Poly, variable: &Variable, value: &Rational) -> Ordering {
+    match numerator_at(poly, variable, value) {
+        Some(numerator) => numerator.cmp(&Int::ZERO),
+        None => poly.at(&[(variable, value)]).sign(),
+    }
+}
+
+/// `qⁿ·f(p/q)` up to a positive factor that depends on `f` alone, for a polynomial `f` of degree `n` with rational
+/// coefficients: Horner's rule for `Σ aᵢ·pⁱ·qⁿ⁻ⁱ`. `None` if a coefficient is irrational.
+fn numerator_at(poly: &Poly, variable: &Variable, value: &Rational) -> Option<Int> {
     let ring = poly.ring();
-    let (true, Some(position)) = (ring.field().generators().is_empty(), ring.position(variable)) else {
-        return poly.at(&[(variable, value)]).sign();
-    };
+    if !ring.field().generators().is_empty() {
+        return None;
+    }
+    let position = ring.position(variable)?;
     let (p, q) = (value.numer(), value.denom());
     let (mut sum, mut power) = (Int::ZERO, Int::ONE);
     let mut terms = poly.terms().iter().peekable();
-    for exponent in (0..=poly.degree(variable).unwrap_or(0)).rev() {
+    for exponent in (0..=poly.degree(variable)?).rev() {
         sum *= p;
         if let Some(term) = terms.next_if(|term| ring.exponent(term.monomial, position) == exponent) {
             sum += &term.coefficient * &power;
@@ -136,8 +150,7 @@ pub(crate) fn sign_at(poly: &Poly, variable: &Variable, value: &Rational) -> Ord
         power *= q;
         budget::spend(1 + power.bits() / 64);
     }
-    let sign = sum.cmp(&Int::ZERO);
-    if poly.content().is_negative() { sign.reverse() } else { sign }
+    Some(if poly.content().is_negative() { -sum } else { sum })
 }
 
 /// A power of two that exceeds the absolute values of all real roots of a polynomial of positive degree: at least

@@ -243,8 +243,8 @@ mod tests {
         let domain = [(u, Interval::new(Poly::integer(-1), root).unwrap()), (v, Interval::unit())];
         let form = Bernstein::new(&f, &domain);
         let net = Net::new(&form).unwrap();
-        for axis in 0..2 {
-            let middle = domain[axis].1.point(&ratio(1, 2));
+        for (axis, (_, interval)) in domain.iter().enumerate() {
+            let middle = interval.point(&ratio(1, 2));
             let (low, high) = form.subdivided(axis, &middle).unwrap();
             let (net_low, net_high) = net.halves(axis);
             for (net, form) in [(net_low, low), (net_high, high)] {

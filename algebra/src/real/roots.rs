@@ -361,8 +361,8 @@ fn recognize_quadratic(factor: &Poly, roots: &mut [RealRoot]) {
     let variable = roots[position].variable.clone();
     let mut rest = factor.clone();
     for root in roots.iter() {
-        if let Value::Exact(number) = &root.value {
-            rest = rest.take_out(&(Poly::variable(&variable) - number)).1;
+        if let Some(number) = root.to_rational() {
+            rest = rest.take_out(&(Poly::variable(&variable) - Poly::constant(number))).1;
         }
     }
     let numbers = match rest.coefficients(&variable).as_slice() {

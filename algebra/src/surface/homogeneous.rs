@@ -11,8 +11,9 @@ use crate::{Fraction, Poly, Variable, Vector, budget};
 /// content, with the Cartesian coordinates `(X/W, Y/W, Z/W)` (FN (10)).
 ///
 /// Over the rationals they are primitive integer polynomials. Over a number field their coefficients in the basis of the
-/// field are integers without common divisor; the factor in the field that remains free is the one in which the formula
-/// gives the coordinates. The first term of `W` is positive.
+/// field are integers without common divisor; of the factor in the field that remains free, a surface over a domain
+/// makes the weight at the domain's beginning rational (see [`Homogeneous::with_rational_weight_at`]). That weight is
+/// positive; where it is zero or depends on symbols, the first term of `W` is.
 ///
 /// # Example
 /// ```
@@ -80,11 +81,24 @@ impl Homogeneous {
                 weight_factors = coordinates[0].squarefree().factors;
             }
         }
-        let content = Poly::common_content(&coordinates);
-        let negative = coordinates[0].content().is_negative();
-        let scale = if negative { -content.recip() } else { content.recip() };
-        let coordinates = coordinates.map(|coordinate| coordinate.scale(&scale).pruned());
+        let coordinates = without_content(coordinates);
         Homogeneous { coordinates, parameters: parameters.clone(), raw_degree, common_factor, weight_factors }
+    }
+
+    /// The same surface, scaled such that the weight at the point `(u, v)` is rational and positive, if it is a number other
+    /// than zero.
+    #[must_use]
+    pub fn with_rational_weight_at(self, u: &Poly, v: &Poly) -> Homogeneous {
+        let [first, second] = &self.parameters;
+        let weight = self.coordinates[0].substitute(first, u).substitute(second, v);
+        if weight.is_zero() || !weight.is_constant() {
+            return self;
+        }
+        let inverse = weight.inverse();
+        let scaled = self.coordinates.map(|coordinate| coordinate * &inverse);
+        let content = Poly::common_content(&scaled).recip();
+        let coordinates = scaled.map(|coordinate| coordinate.scale(&content).pruned());
+        Homogeneous { coordinates, ..self }
     }
 
     /// The coordinates W, X, Y, Z.
@@ -164,6 +178,14 @@ impl Homogeneous {
             poly.clone()
         });
     }
+}
+
+/// The coordinates without common content, the first term of the weight positive.
+fn without_content(coordinates: [Poly; 4]) -> [Poly; 4] {
+    let content = Poly::common_content(&coordinates);
+    let negative = coordinates[0].content().is_negative();
+    let scale = if negative { -content.recip() } else { content.recip() };
+    coordinates.map(|coordinate| coordinate.scale(&scale).pruned())
 }
 
 fn divide_all(coordinates: &[Poly; 4], factor: &Poly) -> Option<[Poly; 4]> {

@@ -132,9 +132,13 @@ impl SweptSurface {
         symbols
     }
 
-    /// The homogeneous coordinates without common factor.
+    /// The homogeneous coordinates without common factor; the weight at the domain's beginning is rational where it is a
+    /// number other than zero.
     pub fn homogeneous(&self) -> &Homogeneous {
-        self.homogeneous.get_or_init(|| Homogeneous::of(&self.position, &self.parameters))
+        self.homogeneous.get_or_init(|| {
+            let [u, v] = self.domain.each_ref().map(Interval::lower);
+            Homogeneous::of(&self.position, &self.parameters).with_rational_weight_at(u, v)
+        })
     }
 
     /// The normal.

@@ -116,9 +116,10 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
 }
 
 fn ph_curve(scope: &Scope, context: &CurveContext, preimage: &Preimage, start: &Complex) -> Value {
+    let w = preimage.polynomial(&context.parameter);
     let parts = preimage.curve(&context.parameter, start);
     let position = Vector::new(parts.position.re.into(), parts.position.im.into(), Fraction::zero());
-    let known = KnownProperties { speed: Some(parts.speed.into()), arclength: None };
+    let known = KnownProperties { speed: Some(parts.speed.into()), arclength: None, preimage: Some([w.re, w.im]) };
     Value::Curve(curve(scope, &context.parameter, position, known))
 }
 
@@ -268,7 +269,7 @@ fn from_hodograph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Res
         let name = format!("{}_arclength", context.name);
         calculus.symbol_with_derivative(&name, &context.parameter, speed).into()
     });
-    let known = KnownProperties { speed: None, arclength };
+    let known = KnownProperties { arclength, ..KnownProperties::default() };
     Ok(with_calculus(scope, context, position, known, calculus))
 }
 

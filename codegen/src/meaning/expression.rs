@@ -23,7 +23,7 @@ impl Scope {
                 Fault::new(span, message).help("decimals with up to 4096 places up or down are exact here")
             }),
             ExprKind::Ident(name) => self.value(name, span),
-            ExprKind::Str(text) => Ok(Value::Text(text.clone())),
+            ExprKind::Str(_) => Err(Fault::new(span, "a text has no value in a formula")),
             ExprKind::Tuple(parts) => {
                 let part = |part: &Expr| self.scalar(part, "a component");
                 Ok(Value::Tuple(parts.iter().map(part).collect::<Result<_, _>>()?))

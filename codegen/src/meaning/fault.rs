@@ -7,7 +7,7 @@ use crate::language::{Diagnostic, Span};
 
 /// Why an expression has no value, at its place.
 #[derive(Clone, Debug)]
-pub struct Fault {
+pub(super) struct Fault {
     /// What to tell the user.
     pub diagnostic: Diagnostic,
     /// Whether the value exists but is not a rational function: what `is_rational` asks for.
@@ -18,12 +18,12 @@ pub struct Fault {
 
 impl Fault {
     /// A mistake at a place.
-    pub fn new(span: Span, message: impl Into<String>) -> Fault {
+    pub(super) fn new(span: Span, message: impl Into<String>) -> Fault {
         Diagnostic::new(span, message).into()
     }
 
     /// A consequence of a mistake that has been reported already.
-    pub fn silent(span: Span) -> Fault {
+    pub(super) fn silent(span: Span) -> Fault {
         let mut fault = Fault::new(span, "this depends on a definition with a mistake");
         fault.reported = true;
         fault
@@ -31,13 +31,13 @@ impl Fault {
 
     /// The same with what to do.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Fault {
+    pub(super) fn help(mut self, help: impl Into<String>) -> Fault {
         self.diagnostic = self.diagnostic.help(help);
         self
     }
 
     /// A property that a curve does not have.
-    pub fn curve(span: Span, error: &CurveError) -> Fault {
+    pub(super) fn curve(span: Span, error: &CurveError) -> Fault {
         let irrational = matches!(error, CurveError::IrrationalSpeed { .. } | CurveError::ArcLength { .. });
         let help = match error {
             CurveError::IrrationalSpeed { .. } => {
@@ -56,13 +56,13 @@ impl Fault {
     }
 
     /// An offset that a surface does not have.
-    pub fn offset(span: Span, error: &OffsetError) -> Fault {
+    pub(super) fn offset(span: Span, error: &OffsetError) -> Fault {
         let irrational = matches!(error, OffsetError::Irrational { .. });
         Fault::new(span, error.to_string()).irrational(irrational)
     }
 
     /// Work beyond the budget.
-    pub fn exhausted(span: Span, error: &Exhausted) -> Fault {
+    pub(super) fn exhausted(span: Span, error: &Exhausted) -> Fault {
         let message = error.to_string();
         Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers")
     }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use hodograph_algebra::{Interval, Poly, SweptSurface, Variable, Vector, budget};
+use hodograph_algebra::{Curve, Interval, Poly, SweptSurface, Variable, Vector, budget};
 
 use super::curves::{self, CurveContext};
 use super::fault::Fault;
@@ -33,6 +33,7 @@ pub struct Model {
     pub surface: Option<Rc<SweptSurface>>,
     /// The claims, in the order of the source.
     pub claims: Vec<Claim>,
+    path: Option<String>,
     scope: Scope,
 }
 
@@ -148,6 +149,10 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         formula: item.clauses.iter().filter(|clause| defines_surface(clause)).map(ToString::to_string).collect(),
         surface,
         claims,
+        path: item.clauses.iter().find_map(|clause| match &clause.kind {
+            ClauseKind::Curve(curve) if curve.role == CurveRole::Path => Some(curve.name.value.clone()),
+            _ => None,
+        }),
         scope,
     })
 }
@@ -398,6 +403,14 @@ fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnostics) {
 }
 
 impl Model {
+    /// The curves of the item by their names; the path comes first, then by name.
+    #[must_use]
+    pub fn curves(&self) -> Vec<(&str, &Curve)> {
+        let mut curves = self.scope.curves();
+        curves.sort_by_key(|(name, _)| (Some(*name) != self.path.as_deref(), *name));
+        curves
+    }
+
     /// Checks one claim under a budget.
     ///
     /// # Errors

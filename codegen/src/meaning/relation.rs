@@ -13,7 +13,7 @@ use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator, Verdict};
 
 /// A verdict with what supports it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
+pub(super) struct Finding {
     /// The verdict.
     pub verdict: Verdict,
     /// The value that was derived, in place of which the claim has its own.

@@ -121,6 +121,17 @@ impl Scope {
         Err(Diagnostic::new(name.span, format!("`{text}` {taken}")).help("use another name"))
     }
 
+    /// The curves by their names.
+    pub(super) fn curves(&self) -> Vec<(&str, &Curve)> {
+        let mut curves = Vec::new();
+        for (name, (value, _)) in &self.values {
+            if let Value::Curve(curve) = value {
+                curves.push((name.as_str(), curve.as_ref()));
+            }
+        }
+        curves
+    }
+
     /// Marks a name whose definition failed: what uses it is not reported again.
     pub(super) fn poison(&mut self, name: &Name) {
         self.poisoned.insert(name.value.clone());
@@ -234,7 +245,7 @@ fn specialize(
         Value::List(parts) => {
             Value::List(parts.iter().map(|part| specialize(scope, span, part, values)).collect::<Result<_, _>>()?)
         }
-        Value::Offset(_) | Value::Degree(_) | Value::Text(_) => value.clone(),
+        Value::Offset(_) | Value::Degree(_) => value.clone(),
         Value::Scalar(_) | Value::Complex(_) | Value::Vector(_) | Value::Tuple(_) => {
             substitute(scope, span, value, values)?
         }

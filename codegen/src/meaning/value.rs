@@ -6,7 +6,7 @@ use hodograph_algebra::{Bidegree, Curve, Fraction, OffsetError, SweptSurface, Va
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub(super) enum Value {
     /// A real number, or a function of the parameters and symbols.
     Scalar(Fraction),
     /// A complex number or function.
@@ -27,13 +27,11 @@ pub enum Value {
     Function(Rc<FunctionValue>),
     /// The degrees of polynomials.
     Degree(Bidegree),
-    /// A text.
-    Text(String),
 }
 
 /// A complex rational function.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ComplexFraction {
+pub(super) struct ComplexFraction {
     /// The real part.
     pub re: Fraction,
     /// The imaginary part.
@@ -43,7 +41,7 @@ pub struct ComplexFraction {
 impl ComplexFraction {
     /// The product.
     #[must_use]
-    pub fn times(&self, other: &ComplexFraction) -> ComplexFraction {
+    pub(super) fn times(&self, other: &ComplexFraction) -> ComplexFraction {
         ComplexFraction {
             re: &(&self.re * &other.re) - &(&self.im * &other.im),
             im: &(&self.re * &other.im) + &(&self.im * &other.re),
@@ -52,19 +50,19 @@ impl ComplexFraction {
 
     /// The conjugate.
     #[must_use]
-    pub fn conj(&self) -> ComplexFraction {
+    pub(super) fn conj(&self) -> ComplexFraction {
         ComplexFraction { re: self.re.clone(), im: -&self.im }
     }
 
     /// The squared absolute value.
     #[must_use]
-    pub fn norm2(&self) -> Fraction {
+    pub(super) fn norm2(&self) -> Fraction {
         &(&self.re * &self.re) + &(&self.im * &self.im)
     }
 
     /// The reciprocal; `None` for zero.
     #[must_use]
-    pub fn reciprocal(&self) -> Option<ComplexFraction> {
+    pub(super) fn reciprocal(&self) -> Option<ComplexFraction> {
         let inverse = self.norm2().reciprocal(&[])?;
         Some(ComplexFraction { re: &self.re * &inverse, im: -&(&self.im * &inverse) })
     }
@@ -78,7 +76,7 @@ impl From<Fraction> for ComplexFraction {
 
 /// A value that depends on named parameters.
 #[derive(Clone, Debug)]
-pub struct FunctionValue {
+pub(super) struct FunctionValue {
     /// The parameters, in the order of a call.
     pub parameters: Vec<Variable>,
     /// The value for the parameters as they are.
@@ -88,7 +86,7 @@ pub struct FunctionValue {
 impl Value {
     /// What it is, with an article, as messages say it.
     #[must_use]
-    pub fn kind(&self) -> &'static str {
+    pub(super) fn kind(&self) -> &'static str {
         match self {
             Value::Scalar(value) if value.to_number().is_some() => "a number",
             Value::Scalar(_) => "a scalar function",
@@ -102,13 +100,12 @@ impl Value {
             Value::Offset(_) => "an offset surface",
             Value::Function(_) => "a function",
             Value::Degree(_) => "a degree",
-            Value::Text(_) => "a text",
         }
     }
 
     /// The value itself, of a function for its parameters as they are.
     #[must_use]
-    pub fn bare(&self) -> &Value {
+    pub(super) fn bare(&self) -> &Value {
         match self {
             Value::Function(function) => function.value.bare(),
             other => other,
@@ -117,7 +114,7 @@ impl Value {
 
     /// The scalar that it is.
     #[must_use]
-    pub fn scalar(&self) -> Option<Fraction> {
+    pub(super) fn scalar(&self) -> Option<Fraction> {
         match self.bare() {
             Value::Scalar(value) => Some(value.clone()),
             Value::Complex(value) if value.im.is_zero() => Some(value.re.clone()),
@@ -127,7 +124,7 @@ impl Value {
 
     /// The vector that it is: also a pair or triple, a curve's position, a surface's.
     #[must_use]
-    pub fn vector(&self) -> Option<Vector> {
+    pub(super) fn vector(&self) -> Option<Vector> {
         match self.bare() {
             Value::Vector(vector) => Some(vector.clone()),
             Value::Tuple(parts) => match parts.as_slice() {
@@ -144,7 +141,7 @@ impl Value {
 
     /// The complex number that it is; real ones count.
     #[must_use]
-    pub fn complex(&self) -> Option<ComplexFraction> {
+    pub(super) fn complex(&self) -> Option<ComplexFraction> {
         match self.bare() {
             Value::Scalar(value) => Some(value.clone().into()),
             Value::Complex(value) => Some(value.clone()),
@@ -154,7 +151,7 @@ impl Value {
 
     /// The components of a tuple of any length, or of a vector.
     #[must_use]
-    pub fn components(&self) -> Option<Vec<Fraction>> {
+    pub(super) fn components(&self) -> Option<Vec<Fraction>> {
         match self.bare() {
             Value::Tuple(parts) => Some(parts.clone()),
             other => other.vector().map(|vector| vector.components().to_vec()),

@@ -1,0 +1,215 @@
+//! The pipeline: from an item's meaning to the source text of its evaluator.
+//!
+//! ```text
+//! Model --derive--> Derivation --schedule--> Program, exact --check--> --round--> Program, floats --emit--> tokens
+//! ```
+
+use std::fmt;
+
+use hodograph_algebra::budget::{self, Exhausted};
+use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::{self, Artifact};
+use crate::language::ast::{ExprKind, File, ItemKind, Verdict};
+use crate::language::{Diagnostic, Diagnostics};
+use crate::meaning::{Model, models};
+use crate::round::{self, RoundError};
+use crate::schedule::{self, Derived, Mismatch, ScheduleError};
+
+/// The work that the macro spends on the claims of one sweep, in units of [`budget`]; claims on degrees always count as
+/// affordable. What does not fit is left to `hodograph verify` and the tests.
+pub const CLAIMS_LIMIT: u64 = 4_000_000;
+
+/// Why a sweep has no evaluator.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CompileError {
+    /// It is a lemma, which has no surface.
+    NoSurface,
+    /// The formula gives a curve or a point.
+    Degenerate(OffsetError),
+    /// The derivation needs more than the budget.
+    Exhausted(Exhausted),
+    /// The polynomials have no schedule.
+    Schedule(ScheduleError),
+    /// The schedule is not what was derived: a bug.
+    Mismatch(Mismatch),
+    /// A constant has no float.
+    Round(RoundError),
+}
+
+impl fmt::Display for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CompileError::NoSurface => f.write_str("a lemma has no surface, so there is nothing to generate"),
+            CompileError::Degenerate(error) => error.fmt(f),
+            CompileError::Exhausted(error) => error.fmt(f),
+            CompileError::Schedule(error) => error.fmt(f),
+            CompileError::Mismatch(error) => write!(f, "the schedule does not give the derived surface: {error}"),
+            CompileError::Round(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for CompileError {}
+
+/// Derives a model's surface under the budget.
+///
+/// # Errors
+/// [`CompileError`] up to the derivation.
+pub fn derive(model: &Model) -> Result<Derivation, CompileError> {
+    let surface = model.surface.as_ref().ok_or(CompileError::NoSurface)?;
+    match budget::with_budget(budget::DEFAULT_LIMIT, || surface.derive()) {
+        Ok(derivation) => derivation.map_err(CompileError::Degenerate),
+        Err(exhausted) => Err(CompileError::Exhausted(exhausted)),
+    }
+}
+
+/// The exact program of a derived surface, proved to give back the derived polynomials.
+///
+/// # Errors
+/// [`CompileError::Schedule`], and [`CompileError::Mismatch`] if the proof fails.
+pub fn exact_program(model: &Model, derivation: &Derivation) -> Result<crate::program::Program<Poly>, CompileError> {
+    let parameters = derivation.parameters.each_ref();
+    let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
+    let known = known_polynomials(model, &derivation.parameters);
+    let domain = derivation.domain.each_ref().map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
+    let factor = derivation.singular.factor.clone();
+    let derived = Derived {
+        parameters,
+        homogeneous: derivation.homogeneous.coordinates(),
+        normal: derivation.normal.numerator(),
+        normal_root: length.as_ref(),
+        singular: (!keeps_sign(&factor, derivation)).then_some(&factor),
+        known: &known,
+        domain: &domain,
+    };
+    let program = schedule::schedule(&derived).map_err(CompileError::Schedule)?;
+    schedule::check(&program, &derived).map_err(CompileError::Mismatch)?;
+    Ok(program)
+}
+
+/// Whether the factor is certified to have one sign, and no zero, on the domain.
+fn keeps_sign(factor: &Poly, derivation: &Derivation) -> bool {
+    let parameters = derivation.parameters.iter().cloned();
+    let domain: Vec<_> = parameters.zip(derivation.domain.iter().cloned()).collect();
+    matches!(factor.sign_on(&domain), Some(BoxSign::Positive | BoxSign::Negative))
+}
+
+/// The artifact of a model: everything that is emitted for it.
+///
+/// # Errors
+/// [`CompileError`].
+pub fn compile(model: &Model) -> Result<Artifact, CompileError> {
+    let derivation = derive(model)?;
+    let exact = exact_program(model, &derivation)?;
+    let program = round::round(&exact).map_err(CompileError::Round)?;
+    let nearest = |number: &Poly| round::nearest(number).map_err(CompileError::Round);
+    let mut control_net = Vec::new();
+    for point in derivation.control_net.points.iter().flatten() {
+        let [w, x, y, z] = point;
+        control_net.push([nearest(w)?, nearest(x)?, nearest(y)?, nearest(z)?]);
+    }
+    let [u, v] = &derivation.domain;
+    let [m, n] = derivation.control_net.degree;
+    Ok(Artifact {
+        name: model.name.clone(),
+        documentation: model.docs.clone(),
+        formula: model.formula.join("\n"),
+        source: model.source.clone(),
+        coordinate_degrees: derivation.homogeneous.degrees().map(|degree| (degree.u, degree.v)),
+        degree: (m, n),
+        domain: [[nearest(u.lower())?, nearest(u.upper())?], [nearest(v.lower())?, nearest(v.upper())?]],
+        control_net,
+        program,
+    })
+}
+
+/// The expansion of a file: a module for each sweep. Lemmas generate nothing.
+///
+/// Mistakes in the file, sweeps without evaluator, and claims that are found to be other than expected within
+/// [`CLAIMS_LIMIT`], are reported at their places.
+#[must_use]
+pub fn expand(file: &File) -> (TokenStream, Diagnostics) {
+    let (models, mut diagnostics) = models(file);
+    let mut tokens = TokenStream::new();
+    for model in models.iter().filter(|model| model.kind == ItemKind::Sweep) {
+        check_claims(model, &mut diagnostics);
+        match compile(model) {
+            Ok(artifact) => tokens.extend(emit::module(&artifact, &quote!(::hodograph))),
+            Err(error) => diagnostics.push(Diagnostic::new(model.span, error.to_string())),
+        }
+    }
+    (tokens, diagnostics)
+}
+
+fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {
+    let mut left = CLAIMS_LIMIT;
+    for claim in &model.claims {
+        let degree = concerns_degree(claim.relation.kind());
+        let limit = if degree { budget::DEFAULT_LIMIT } else { left };
+        let (judgement, spent) = budget::measured(|| model.check(claim, limit));
+        if !degree {
+            left = left.saturating_sub(spent);
+        }
+        match judgement {
+            Err(diagnostic) => diagnostics.push(diagnostic),
+            Ok(judgement) if judgement.verdict == judgement.expected || judgement.verdict == Verdict::Undecided => {}
+            Ok(judgement) => {
+                let message = format!("the claim {:?} is {}: {}", judgement.id, judgement.verdict, judgement.derived);
+                let diagnostic = Diagnostic::new(claim.relation.span(), message);
+                let help = match (&judgement.witness, judgement.verdict) {
+                    (Some(witness), _) => format!("it fails at {witness}"),
+                    (None, Verdict::Proved) => "leave out `expect`".to_owned(),
+                    (None, _) => "correct the claim, or add `expect refuted`".to_owned(),
+                };
+                diagnostics.push(diagnostic.help(help));
+            }
+        }
+    }
+}
+
+fn concerns_degree(relation: &ExprKind) -> bool {
+    match relation {
+        ExprKind::Relation { left, .. } => match left.kind() {
+            ExprKind::Call { callee, .. } => matches!(callee.kind(), ExprKind::Ident(name) if name == "degree"),
+            _ => false,
+        },
+        ExprKind::Not(inner) => concerns_degree(inner.kind()),
+        _ => false,
+    }
+}
+
+/// The polynomials that the paper has names for: speed, position, hodograph and preimage of the curves.
+fn known_polynomials(model: &Model, parameters: &[Variable; 2]) -> Vec<(String, Poly)> {
+    let mut known: Vec<(String, Poly)> = Vec::new();
+    for (index, (name, curve)) in model.curves().into_iter().enumerate() {
+        let prefix = if index == 0 { String::new() } else { format!("{name}_") };
+        let mut add = |name: &str, poly: Option<Poly>| {
+            let usable = poly.filter(|poly| {
+                let occurring = poly.occurring_variables();
+                !occurring.is_empty() && occurring.iter().all(|variable| parameters.contains(variable))
+            });
+            known.extend(usable.map(|poly| (format!("{prefix}{name}"), poly)));
+        };
+        if let Some([a, b]) = curve.preimage() {
+            add("preimage_re", Some(a.clone()));
+            add("preimage_im", Some(b.clone()));
+        }
+        add("sigma", curve.speed().ok().and_then(|speed| speed.to_poly()));
+        for (letter, (position, derivative)) in
+            ["x", "y", "z"].iter().zip(curve.position().components().iter().zip(curve.hodograph().components()))
+        {
+            add(letter, position.to_poly());
+            add(&format!("{letter}_prime"), derivative.to_poly());
+        }
+    }
+    known
+}
+
+/// A rational next to a number, to choose a form of evaluation by.
+fn rational_near(number: &Poly) -> Rational {
+    number.to_rational().unwrap_or_else(|| number.enclosure(64).lower().clone())
+}
