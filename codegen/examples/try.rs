@@ -32,7 +32,7 @@ fn main() {
             for c in &m.claims {
                 let t = Instant::now();
                 match m.check(c, 2_000_000_000) { Ok(j) => println!("{:?} {} [{}] expected {} | {} | scope {} | {:?} ({:?})", j.id, j.verdict, j.statement, j.expected, j.derived, j.scope, j.witness, t.elapsed()), Err(d) => {
-                    let mut ds=language::Diagnostics::new(); ds.push(d); println!("{}", language::Report::new(source.clone(), ds)); } }
+                    let mut ds=language::Diagnostics::new(); ds.push(*d); println!("{}", language::Report::new(source.clone(), ds)); } }
             }
         }
     }

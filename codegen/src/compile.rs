@@ -7,7 +7,7 @@
 use std::fmt;
 
 use hodograph_algebra::budget::{self, Exhausted};
-use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable};
+use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable, integer};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -76,13 +76,14 @@ pub fn exact_program(model: &Model, derivation: &Derivation) -> Result<crate::pr
     let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
     let known = known_polynomials(model, &derivation.parameters);
     let domain = derivation.domain.each_ref().map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
-    let factor = derivation.singular.factor.clone();
+    let factor = orientation(derivation);
+    let length = length.filter(|length| positive(length, derivation));
     let derived = Derived {
         parameters,
         homogeneous: derivation.homogeneous.coordinates(),
         normal: derivation.normal.numerator(),
         normal_root: length.as_ref(),
-        singular: (!keeps_sign(&factor, derivation)).then_some(&factor),
+        singular: (!positive(&factor, derivation)).then_some(&factor),
         known: &known,
         domain: &domain,
     };
@@ -91,11 +92,21 @@ pub fn exact_program(model: &Model, derivation: &Derivation) -> Result<crate::pr
     Ok(program)
 }
 
-/// Whether the factor is certified to have one sign, and no zero, on the domain.
-fn keeps_sign(factor: &Poly, derivation: &Derivation) -> bool {
+/// A polynomial with the sign of the factor in `R_u × R_v = factor · N`: its numerator times the factors that its
+/// denominator has to an odd power.
+fn orientation(derivation: &Derivation) -> Poly {
+    let factor = derivation.normal.factor().lowest_terms();
+    let odd = factor.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = odd.fold(factor.numerator().clone(), |product, (part, _)| product * part);
+    let negative = signed.content() < &integer(0);
+    if negative { -signed.primitive() } else { signed.primitive() }
+}
+
+/// Whether a polynomial is certified to be positive on the domain.
+fn positive(poly: &Poly, derivation: &Derivation) -> bool {
     let parameters = derivation.parameters.iter().cloned();
     let domain: Vec<_> = parameters.zip(derivation.domain.iter().cloned()).collect();
-    matches!(factor.sign_on(&domain), Some(BoxSign::Positive | BoxSign::Negative))
+    matches!(poly.sign_on(&domain), Some(BoxSign::Positive))
 }
 
 /// The artifact of a model: everything that is emitted for it.
@@ -155,7 +166,7 @@ fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {
             left = left.saturating_sub(spent);
         }
         match judgement {
-            Err(diagnostic) => diagnostics.push(diagnostic),
+            Err(diagnostic) => diagnostics.push(*diagnostic),
             Ok(judgement) if judgement.verdict == judgement.expected || judgement.verdict == Verdict::Undecided => {}
             Ok(judgement) => {
                 let message = format!("the claim {:?} is {}: {}", judgement.id, judgement.verdict, judgement.derived);

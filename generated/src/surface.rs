@@ -72,10 +72,10 @@ pub trait Surface {
     /// The partial derivative R_v = ∂R/∂v at (u, v).
     fn partial_v(&self, u: f64, v: f64) -> [f64; 3];
 
-    /// The unit normal of the surface at (u, v): the unit vector of R_u × R_v with the common factors of its
-    /// components divided out, so that it does not jump where such a factor changes sign.
+    /// The unit normal of the surface at (u, v): the unit vector of R_u × R_v.
     ///
-    /// It is [`Regularity::Singular`] where the surface is, and never NaN.
+    /// It is [`Regularity::Singular`] where R_u × R_v vanishes, and never NaN. On the domain it turns over where the common
+    /// factor of the components of R_u × R_v changes its sign; outside of the domain it may continue smoothly instead.
     fn unit_normal(&self, u: f64, v: f64) -> Regularity;
 
     /// The Bézier control points over [`domain`](Surface::domain), homogeneous (W, X, Y, Z); the index of u is the

@@ -99,10 +99,10 @@ impl Calculus {
             if self.beyond.contains(&variable) {
                 budget::refuse(format!("`{variable}` is the highest derivative of an unknown function that is kept"));
             }
-            if let Some((own, rule)) = self.rules.get(&variable) {
-                if own == parameter {
-                    sum = &sum + &(&Fraction::from(poly.derivative(&variable)) * rule);
-                }
+            if let Some((own, rule)) = self.rules.get(&variable)
+                && own == parameter
+            {
+                sum = &sum + &(&Fraction::from(poly.derivative(&variable)) * rule);
             }
         }
         sum

@@ -37,16 +37,16 @@ pub enum CurveError {
     /// `|s'|²` is not the square of a rational function.
     IrrationalSpeed {
         /// `|s'|²`.
-        squared: Fraction,
+        squared: Box<Fraction>,
         /// The factor of it that is no square; 1 if only the sign is wrong.
-        odd: Poly,
+        odd: Box<Poly>,
     },
     /// The curve lies in none of the coordinate planes, so it has no planar normal.
     NotPlanar,
     /// The integral of the parametric speed is not known to be a rational function.
     ArcLength {
         /// The parametric speed.
-        speed: Fraction,
+        speed: Box<Fraction>,
     },
     /// The curvature is zero everywhere: a straight line has no evolute.
     Straight,
@@ -100,7 +100,7 @@ impl Curve {
     ) -> Curve {
         let hodograph = calculus.vector_derivative(&position, parameter);
         let squared = hodograph.norm2().reduced();
-        let speed = match known.speed.filter(|speed| &(speed * speed) == &squared) {
+        let speed = match known.speed.filter(|speed| speed * speed == squared) {
             Some(speed) => Ok(speed),
             None => rational_root(&squared),
         };
@@ -203,7 +203,7 @@ impl Curve {
         }
         let speed = self.speed()?.reduced();
         if speed.factors().iter().any(|(factor, _)| factor.contains(&self.parameter)) {
-            return Err(CurveError::ArcLength { speed });
+            return Err(CurveError::ArcLength { speed: Box::new(speed) });
         }
         let integral = speed.numerator().integral(&self.parameter);
         let start = self.domain.as_ref().map_or_else(Poly::zero, |domain| domain.lower().clone());
@@ -259,7 +259,10 @@ pub fn rational_root(squared: &Fraction) -> Result<Fraction, CurveError> {
     let odd_factors = squared.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
     let numerator = odd_factors.fold(squared.numerator().clone(), |product, (factor, _)| product * factor);
     let split = numerator.square_split();
-    let irrational = || CurveError::IrrationalSpeed { squared: squared.clone(), odd: split.odd.clone() };
+    let irrational = || CurveError::IrrationalSpeed {
+        squared: Box::new(squared.clone()),
+        odd: Box::new(split.odd.clone()),
+    };
     if !split.is_square() {
         return Err(irrational());
     }

@@ -27,20 +27,18 @@ impl Poly {
         if exponent == 0 {
             return Poly::one();
         }
-        if let [term] = self.terms.as_slice() {
-            if self.ring.generator_part(term.monomial) == super::Monomial::ONE {
-                let exponents: Vec<u32> =
-                    self.ring.exponents(term.monomial).iter().map(|e| e.saturating_mul(exponent)).collect();
-                let terms = vec![super::Term {
-                    monomial: self.ring.monomial(&exponents, &[]),
-                    coefficient: Int::ONE,
-                }];
-                let content =
-                    Rational::new_raw(self.content.numer().pow(exponent), self.content.denom().pow(exponent));
-                return Poly { ring: self.ring.clone(), content, terms };
-            }
+        // The exponents of the result, so that an impossible power is refused at once.
+        let degrees = self.ring.variables().iter().map(|variable| self.degree(variable).unwrap_or(0));
+        let degrees: Vec<u32> = degrees.map(|degree| degree.saturating_mul(exponent)).collect();
+        let leading = self.ring.monomial(&degrees, &[]);
+        if let [term] = self.terms.as_slice()
+            && self.ring.generator_part(term.monomial) == super::Monomial::ONE
+        {
+            let terms = vec![super::Term { monomial: leading, coefficient: Int::ONE }];
+            let power = |part: &Int| part.pow(exponent);
+            let content = Rational::new_raw(power(self.content.numer()), power(self.content.denom()));
+            return Poly { ring: self.ring.clone(), content, terms };
         }
-        // Refuse at once what no budget can pay for, before memory is filled.
         budget::spend(u64::from(exponent));
         let mut power = self.clone();
         for _ in 1..exponent {

@@ -183,7 +183,7 @@ impl Poly {
         mut coefficients: Vec<(Monomial, Rational)>,
     ) -> Poly {
         coefficients.retain(|(_, value)| !value.is_zero());
-        coefficients.sort_by(|a, b| b.0.cmp(&a.0));
+        coefficients.sort_by_key(|(monomial, _)| std::cmp::Reverse(*monomial));
         let denominator = coefficients.iter().fold(Int::ONE, |d, (_, value)| d.lcm(value.denom()));
         let terms = coefficients
             .into_iter()

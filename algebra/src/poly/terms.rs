@@ -233,7 +233,7 @@ fn reduce_earlier(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> 
 /// Sorts terms and adds those of equal monomials.
 pub(crate) fn collect(mut terms: Vec<Term>) -> Vec<Term> {
     budget::spend(terms.len() as u64);
-    terms.sort_by(|a, b| b.monomial.cmp(&a.monomial));
+    terms.sort_by_key(|term| std::cmp::Reverse(term.monomial));
     let mut sum: Vec<Term> = Vec::with_capacity(terms.len());
     for term in terms {
         match sum.last_mut() {

@@ -74,12 +74,12 @@ impl Homogeneous {
             }
         }
         let rest = budget::doing("the common factor of W, X, Y, Z", || Poly::gcd_many(&coordinates));
-        if !rest.is_constant() {
-            if let Some(quotients) = divide_all(&coordinates, &rest) {
-                coordinates = quotients;
-                common_factor *= &rest;
-                weight_factors = coordinates[0].squarefree().factors;
-            }
+        if !rest.is_constant()
+            && let Some(quotients) = divide_all(&coordinates, &rest)
+        {
+            coordinates = quotients;
+            common_factor *= &rest;
+            weight_factors = coordinates[0].squarefree().factors;
         }
         let coordinates = without_content(coordinates);
         Homogeneous { coordinates, parameters: parameters.clone(), raw_degree, common_factor, weight_factors }

@@ -290,13 +290,18 @@ fn unit_normal(
     let (u, v) = (parameter(&body, Input::U), parameter(&body, Input::V));
     let Body { statements, results, .. } = body;
     let (vector, singular) = results.split_at(vector.len());
+    // R_u × R_v is the factor times the vector, so the normal turns over where the factor changes its sign.
+    let oriented = !singular.is_empty();
     let guard = singular.iter().map(|factor| {
         quote! {
-            if #factor == 0.0 {
+            let factor = #factor;
+            if factor == 0.0 {
                 return #runtime::Regularity::Singular;
             }
+            let side = if factor < 0.0 { -1.0 } else { 1.0 };
         }
     });
+    let vector = vector.iter().map(|component| if oriented { quote! { side * (#component) } } else { quote! { #component } });
     quote! {
         #docs
         #[inline]

@@ -188,12 +188,7 @@ impl<'a> Call<'a> {
     }
 
     fn vector(&self, expr: &Expr) -> Result<Vector, Fault> {
-        let value = self.scope.evaluate(expr)?;
-        if let Value::Offset(offset) = value.bare() {
-            if let Err(error) = offset.as_ref() {
-                return Err(Fault::offset(expr.span(), error));
-            }
-        }
+        let value = self.scope.rational_value(expr)?;
         value.vector().ok_or_else(|| {
             let message = format!("`{}` needs a vector here, but this is {}", self.name, value.kind());
             Fault::new(expr.span(), message)

@@ -69,6 +69,17 @@ impl Scope {
         }
     }
 
+    /// The value of an expression that must be rational: not the offset of a surface that has none.
+    pub(super) fn rational_value(&self, expr: &Expr) -> Result<Value, Fault> {
+        let value = self.evaluate(expr)?;
+        if let Value::Offset(offset) = value.bare()
+            && let Err(error) = offset.as_ref()
+        {
+            return Err(Fault::offset(expr.span(), error));
+        }
+        Ok(value)
+    }
+
     /// The value of an expression that must be a scalar.
     pub(super) fn scalar(&self, expr: &Expr, role: &str) -> Result<Fraction, Fault> {
         let value = self.evaluate(expr)?;
@@ -170,8 +181,8 @@ pub(super) fn product(a: &Value, b: &Value) -> Option<Value> {
 fn quotient(a: &Value, b: &Value, span: Span) -> Result<Value, Fault> {
     let zero = || Fault::new(span, "division by zero").help("this expression is zero for all values of its parameters");
     let result = if let Some(divisor) = b.scalar() {
-        let known = a.scalar().map(|a| a.factors().iter().map(|(factor, _)| factor.clone()).collect());
-        let inverse = divisor.reciprocal(&known.unwrap_or_else(Vec::new)).ok_or_else(zero)?;
+        let known: Option<Vec<Poly>> = a.scalar().map(|a| a.factors().iter().map(|(factor, _)| factor.clone()).collect());
+        let inverse = divisor.reciprocal(&known.unwrap_or_default()).ok_or_else(zero)?;
         product(a, &Value::Scalar(inverse))
     } else if let Some(divisor) = b.complex() {
         product(a, &Value::Complex(divisor.reciprocal().ok_or_else(zero)?))

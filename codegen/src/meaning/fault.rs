@@ -9,7 +9,7 @@ use crate::language::{Diagnostic, Span};
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
     /// What to tell the user.
-    pub diagnostic: Diagnostic,
+    pub diagnostic: Box<Diagnostic>,
     /// Whether the value exists but is not a rational function: what `is_rational` asks for.
     pub irrational: bool,
     /// Whether the cause has been reported already.
@@ -32,7 +32,7 @@ impl Fault {
     /// The same with what to do.
     #[must_use]
     pub(super) fn help(mut self, help: impl Into<String>) -> Fault {
-        self.diagnostic = self.diagnostic.help(help);
+        *self.diagnostic = self.diagnostic.clone().help(help);
         self
     }
 
@@ -75,6 +75,6 @@ impl Fault {
 
 impl From<Diagnostic> for Fault {
     fn from(diagnostic: Diagnostic) -> Fault {
-        Fault { diagnostic, irrational: false, reported: false }
+        Fault { diagnostic: Box::new(diagnostic), irrational: false, reported: false }
     }
 }

@@ -95,7 +95,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
                     Ok((parameter, interval)) => {
                         scope.domains.insert(parameter, interval);
                     }
-                    Err(fault) => diagnostics.push(fault.diagnostic),
+                    Err(fault) => diagnostics.push(*fault.diagnostic),
                 }
             }
         }
@@ -121,7 +121,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         };
         if let Err(fault) = result {
             if !fault.reported {
-                diagnostics.push(fault.diagnostic);
+                diagnostics.push(*fault.diagnostic);
             }
             // Later clauses would only repeat that a name is missing.
             poison(&mut scope, clause);
@@ -324,10 +324,10 @@ fn curve_value(
     value: &Value,
     span: Span,
 ) -> Result<Value, Fault> {
-    if let Value::Curve(curve) = value.bare() {
-        if curve.parameter() == parameter {
-            return Ok(Value::Curve(curve.clone()));
-        }
+    if let Value::Curve(curve) = value.bare()
+        && curve.parameter() == parameter
+    {
+        return Ok(Value::Curve(curve.clone()));
     }
     let position: Vector = value.vector().ok_or_else(|| {
         let what = match role {
@@ -395,7 +395,7 @@ fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnostics) {
     match expr.kind() {
         ExprKind::Ident(name) => {
             if !scope.knows(name) {
-                diagnostics.push(scope.unknown(name, expr.span()).diagnostic);
+                diagnostics.push(*scope.unknown(name, expr.span()).diagnostic);
             }
         }
         _ => expr.children().for_each(|child| check_names(scope, child, diagnostics)),
@@ -415,7 +415,7 @@ impl Model {
     ///
     /// # Errors
     /// A mistake in the claim. A claim that needs more than the budget is *undecided*, not a mistake.
-    pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Diagnostic> {
+    pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
         let outcome = budget::with_budget(limit, || {
             let scope = self.conditioned(claim)?;
             check_names_at_once(&scope, &claim.relation)?;

@@ -109,14 +109,7 @@ fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument])
 }
 
 fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr) -> Result<Finding, Fault> {
-    let (a, b) = (scope.evaluate(left)?, scope.evaluate(right)?);
-    for (expr, value) in [(left, &a), (right, &b)] {
-        if let Value::Offset(offset) = value.bare() {
-            if let Err(error) = offset.as_ref() {
-                return Err(Fault::offset(expr.span(), error));
-            }
-        }
-    }
+    let (a, b) = (scope.rational_value(left)?, scope.rational_value(right)?);
     if let Value::Degree(degree) = a.bare() {
         let derived = degree.to_string();
         let stated = degrees(&b).ok_or_else(|| {
@@ -212,12 +205,7 @@ pub(super) fn print(components: &[Fraction]) -> String {
 
 fn parallel(scope: &Scope, left: &Expr, right: &Expr) -> Result<Finding, Fault> {
     let side = |expr: &Expr| {
-        let value = scope.evaluate(expr)?;
-        if let Value::Offset(offset) = value.bare() {
-            if let Err(error) = offset.as_ref() {
-                return Err(Fault::offset(expr.span(), error));
-            }
-        }
+        let value = scope.rational_value(expr)?;
         value.components().ok_or_else(|| {
             Fault::new(expr.span(), format!("`parallel` compares vectors, but this is {}", value.kind()))
         })

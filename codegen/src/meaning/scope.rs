@@ -78,7 +78,7 @@ impl Scope {
     }
 
     /// Takes over what the clause that stands at `span` has introduced.
-    pub(super) fn settle(&mut self, span: Span) -> Result<(), Diagnostic> {
+    pub(super) fn settle(&mut self, span: Span) -> Result<(), Fault> {
         let mut news = self.news.take();
         if let Some(calculus) = news.calculus {
             self.calculus = calculus;
@@ -94,18 +94,19 @@ impl Scope {
     }
 
     /// Defines a name.
-    pub(super) fn define(&mut self, name: &Name, value: Value) -> Result<(), Diagnostic> {
+    pub(super) fn define(&mut self, name: &Name, value: Value) -> Result<(), Fault> {
         self.check_new(name)?;
         self.values.insert(name.value.clone(), (value, name.span));
         Ok(())
     }
 
     /// Reports a name that has a meaning already.
-    pub(super) fn check_new(&self, name: &Name) -> Result<(), Diagnostic> {
+    pub(super) fn check_new(&self, name: &Name) -> Result<(), Fault> {
         let text = name.value.as_str();
         if let Some((_, first)) = self.values.get(text) {
             let message = format!("`{text}` is defined twice");
-            return Err(Diagnostic::new(name.span, message).also(*first, "first defined here").help("use another name"));
+            let diagnostic = Diagnostic::new(name.span, message).also(*first, "first defined here");
+            return Err(diagnostic.help("use another name").into());
         }
         let taken = if CONSTANTS.contains(&text) || FUNCTIONS.contains(&text) {
             "has a meaning of its own"
@@ -118,7 +119,7 @@ impl Scope {
         } else {
             return Ok(());
         };
-        Err(Diagnostic::new(name.span, format!("`{text}` {taken}")).help("use another name"))
+        Err(Fault::new(name.span, format!("`{text}` {taken}")).help("use another name"))
     }
 
     /// The curves by their names.
