@@ -1,1 +1,16 @@
-//! Support.
+//! What the tests that cross packages share: the catalogue with everything derived from it, its layout for snapshots,
+//! exact evaluation, and the tools to build what a test runs.
+
+pub mod build;
+pub mod catalogue;
+pub mod digest;
+pub mod layout;
+pub mod oracle;
+pub mod precision;
+pub mod random;
+pub mod verdicts;
+
+/// The Rust examples of the README, run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

@@ -15,7 +15,7 @@ use crate::{Poly, Variable};
 /// let f = Poly::variable(&u).pow(2) + Poly::variable(&v).pow(9);
 /// assert_eq!(Bidegree::of(&f, &[u, v]).to_string(), "(2, 9)");
 /// ```
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Bidegree {
     /// The degree in the first parameter.
     pub u: i64,
@@ -38,7 +38,13 @@ impl Bidegree {
     #[must_use]
     pub fn of_group<'a>(polys: impl IntoIterator<Item = &'a Poly>, parameters: &[Variable; 2]) -> Bidegree {
         let degrees = polys.into_iter().map(|poly| Bidegree::of(poly, parameters));
-        degrees.fold(Bidegree::ZERO, |a, b| Bidegree { u: a.u.max(b.u), v: a.v.max(b.v) })
+        degrees.fold(Bidegree::ZERO, Bidegree::max)
+    }
+
+    /// The componentwise largest degrees of both.
+    #[must_use]
+    pub fn max(self, other: Bidegree) -> Bidegree {
+        Bidegree { u: self.u.max(other.u), v: self.v.max(other.v) }
     }
 }
 

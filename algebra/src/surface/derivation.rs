@@ -103,10 +103,10 @@ impl SweptSurface {
         };
 
         let position = homogeneous.cartesian();
-        let speeds = budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters));
+        let speeds = budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters, &domain));
         let speeds = speeds.map(|speed| {
-            let root = speed.root.map(|root| root.map(|poly| into_field(poly, &mut field)));
-            ParametricSpeed { squared: speed.squared, root }
+            let root = speed.root.as_ref().map(|root| root.map(|poly| into_field(poly, &mut field)));
+            ParametricSpeed { root, ..speed }
         });
         let singular = budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));

@@ -30,7 +30,7 @@ use crate::{Fraction, Poly, Variable, Vector, budget};
 pub struct Homogeneous {
     coordinates: [Poly; 4],
     parameters: [Variable; 2],
-    raw_degree: Bidegree,
+    raw_degrees: [Bidegree; 4],
     common_factor: Poly,
     weight_factors: Vec<(Poly, u32)>,
 }
@@ -57,7 +57,7 @@ impl Homogeneous {
         known: Vec<(Poly, u32)>,
         parameters: &[Variable; 2],
     ) -> Homogeneous {
-        let raw_degree = Bidegree::of_group(&raw, parameters);
+        let raw_degrees = raw.each_ref().map(|coordinate| Bidegree::of(coordinate, parameters));
         let mut coordinates = raw;
         let mut common_factor = Poly::one();
         let mut weight_factors = Vec::new();
@@ -82,7 +82,7 @@ impl Homogeneous {
             weight_factors = coordinates[0].squarefree().factors;
         }
         let coordinates = without_content(coordinates);
-        Homogeneous { coordinates, parameters: parameters.clone(), raw_degree, common_factor, weight_factors }
+        Homogeneous { coordinates, parameters: parameters.clone(), raw_degrees, common_factor, weight_factors }
     }
 
     /// The same surface, scaled such that the weight at the point `(u, v)` is rational and positive, if it is a number other
@@ -131,10 +131,16 @@ impl Homogeneous {
         Bidegree::of_group(&self.coordinates, &self.parameters)
     }
 
+    /// The strict degree of each coordinate as constructed, before the common factor was removed.
+    #[must_use]
+    pub fn raw_degrees(&self) -> [Bidegree; 4] {
+        self.raw_degrees
+    }
+
     /// The degree of the patch as constructed, before the common factor was removed.
     #[must_use]
     pub fn raw_degree(&self) -> Bidegree {
-        self.raw_degree
+        self.raw_degrees.into_iter().fold(Bidegree::ZERO, Bidegree::max)
     }
 
     /// What W, X, Y and Z had in common as constructed; 1 if nothing.
@@ -165,7 +171,7 @@ impl Homogeneous {
         Homogeneous {
             coordinates: self.coordinates.each_ref().map(&mut map),
             parameters: self.parameters.clone(),
-            raw_degree: self.raw_degree,
+            raw_degrees: self.raw_degrees,
             common_factor: map(&self.common_factor),
             weight_factors: self.weight_factors.iter().map(|(factor, e)| (map(factor), *e)).collect(),
         }

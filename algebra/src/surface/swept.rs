@@ -6,7 +6,8 @@ use std::fmt;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
 use crate::geometry::curve::rational_root;
-use crate::{Fraction, Interval, Poly, Variable, Vector};
+use crate::geometry::sample::sample_sign_on_box;
+use crate::{BoxSign, Fraction, Interval, Poly, Variable, Vector};
 
 /// A rational surface `R(u, v)` over a closed box of parameters.
 ///
@@ -35,26 +36,45 @@ pub struct SweptSurface {
 pub struct ParametricSpeed {
     /// `|R_u|²` or `|R_v|²`.
     pub squared: Fraction,
-    /// Its square root, up to the sign, if that is a rational function.
+    /// Its square root, if that is a rational function: positive where the domain begins.
     pub root: Option<Fraction>,
+    /// Whether the root is certified to be positive on the whole domain, so that it is the parametric speed.
+    pub certified: bool,
 }
 
 impl ParametricSpeed {
     /// The parametric speeds of a surface along its two families of isoparametric curves.
     #[must_use]
-    pub(crate) fn both(position: &Vector, parameters: &[Variable; 2]) -> [ParametricSpeed; 2] {
+    pub(crate) fn both(
+        position: &Vector,
+        parameters: &[Variable; 2],
+        domain: &[Interval; 2],
+    ) -> [ParametricSpeed; 2] {
         parameters.each_ref().map(|parameter| {
             let squared = position.derivative(parameter).norm2().reduced();
             let root = if squared.is_zero() { Some(Fraction::zero()) } else { rational_root(&squared).ok() };
-            ParametricSpeed { squared, root }
+            let oriented = root.map(|root| {
+                let negative = sample_sign_on_box(&root, parameters, domain).is_lt();
+                if negative { -&root } else { root }
+            });
+            let certified = oriented.as_ref().is_some_and(|root| is_positive(root, parameters, domain));
+            ParametricSpeed { squared, root: oriented, certified }
         })
     }
+}
+
+/// Whether a rational function is certified to be positive on a box.
+fn is_positive(f: &Fraction, parameters: &[Variable; 2], domain: &[Interval; 2]) -> bool {
+    let domain: Vec<(Variable, Interval)> = parameters.iter().cloned().zip(domain.iter().cloned()).collect();
+    let odd = f.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = odd.fold(f.numerator().clone(), |product, (factor, _)| product * factor);
+    matches!(signed.sign_on(&domain), Some(BoxSign::Positive))
 }
 
 impl fmt::Display for ParametricSpeed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.root {
-            Some(root) if root.to_number().is_some() => write!(f, "{root}"),
+            Some(root) if self.certified || root.is_zero() => write!(f, "{root}"),
             Some(root) => write!(f, "abs({root})"),
             None => write!(f, "sqrt({})", self.squared),
         }
@@ -153,7 +173,7 @@ impl SweptSurface {
     /// The parametric speeds `‖R_u‖` along the curves v = const, and `‖R_v‖` along the curves u = const.
     #[must_use]
     pub fn speeds(&self) -> [ParametricSpeed; 2] {
-        ParametricSpeed::both(&self.homogeneous().cartesian(), &self.parameters)
+        ParametricSpeed::both(&self.homogeneous().cartesian(), &self.parameters, &self.domain)
     }
 
     /// The offset surface `R + distance·N` at a signed distance along the unit normal (FN (12)), if it is rational in the

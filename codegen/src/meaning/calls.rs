@@ -11,7 +11,7 @@ use hodograph_algebra::{
 use super::curves;
 use super::fault::Fault;
 use super::scope::Scope;
-use super::value::{ComplexFraction, Value};
+use super::value::{ComplexFraction, DegreeValue, Value};
 use crate::language::Span;
 use crate::language::ast::{Argument, Expr, ExprKind};
 
@@ -439,10 +439,18 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             None => polys.extend(homogeneous(scope, call, expr)?.coordinates().iter().cloned()),
         }
     }
+    let mut variables: Vec<Variable> = polys.iter().flat_map(Poly::occurring_variables).collect();
+    variables.sort();
+    variables.dedup();
+    if let Some(function) = variables.iter().find(|variable| scope.calculus.is_function(variable)) {
+        let message = format!("the unknown function `{function}` has no degree");
+        return Err(Fault::new(call.span, message).help("write a polynomial with symbols for its coefficients"));
+    }
+    let value = |degrees| Ok(Value::Degree(Rc::new(DegreeValue { degrees, variables })));
     if let Some(by) = by {
         let by = parameter(scope, by)?;
         let degree = polys.iter().map(|poly| poly.degree(&by).map_or(-1, i64::from)).max().unwrap_or(-1);
-        return Ok(Value::Scalar(integer(degree).into()));
+        return value(vec![degree]);
     }
     if scope.parameters.len() != 2 {
         let known: Vec<&str> = scope.parameters.iter().map(Variable::name).collect();
@@ -452,5 +460,6 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             if known.is_empty() { "none".to_owned() } else { known.join(", ") }
         )));
     }
-    Ok(Value::Degree(Bidegree::of_group(&polys, &surface_parameters(scope))))
+    let Bidegree { u, v } = Bidegree::of_group(&polys, &surface_parameters(scope));
+    value(vec![u, v])
 }

@@ -245,7 +245,7 @@ fn regular(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Val
     let kappa = scope.scalar(kappa, "the curvature")?;
     let mut calculus = Calculus::clone(&scope.calculus);
     let (position, known) = moving_frame_curve(&context.name, &context.parameter, &sigma, &kappa, &mut calculus);
-    Ok(with_calculus(scope, context, position, known, calculus))
+    with_calculus(scope, context, call.span, position, known, calculus)
 }
 
 fn from_hodograph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, Fault> {
@@ -270,21 +270,25 @@ fn from_hodograph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Res
         calculus.symbol_with_derivative(&name, &context.parameter, speed).into()
     });
     let known = KnownProperties { arclength, ..KnownProperties::default() };
-    Ok(with_calculus(scope, context, position, known, calculus))
+    with_calculus(scope, context, call.span, position, known, calculus)
 }
 
 /// A curve with symbols of its own, whose derivatives every later formula knows.
 fn with_calculus(
     scope: &Scope,
     context: &CurveContext,
+    span: Span,
     position: Vector,
     known: KnownProperties,
     calculus: Calculus,
-) -> Value {
+) -> Result<Value, Fault> {
+    for suffix in ["arclength", "m", "x", "y", "z"] {
+        scope.check_coordinate(&context.name, suffix, span)?;
+    }
     let calculus = Rc::new(calculus);
     scope.announce_calculus(calculus.clone());
     let domain = scope.domains.get(&context.parameter).cloned();
-    Value::Curve(Rc::new(Curve::new(&context.parameter, position, domain, known, calculus)))
+    Ok(Value::Curve(Rc::new(Curve::new(&context.parameter, position, domain, known, calculus))))
 }
 
 /// The place of an element of a list.

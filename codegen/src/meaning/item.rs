@@ -284,10 +284,11 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
                 scope.check_new(&function.name)?;
                 let parameter = parameter(scope, &function.parameter)?;
                 let mut calculus = hodograph_algebra::Calculus::clone(&scope.calculus);
+                scope.check_derivatives(&function.name, &parameter)?;
                 let symbol = calculus.function(&function.name.value, &parameter);
-                scope.calculus = Rc::new(calculus);
                 let value = FunctionValue { parameters: vec![parameter], value: Value::Scalar(symbol.into()) };
                 scope.define(&function.name, Value::Function(Rc::new(value)))?;
+                scope.calculus = Rc::new(calculus);
             }
         }
         ClauseKind::Let(definition) => let_value(scope, definition)?,
@@ -424,12 +425,7 @@ impl Model {
         let finding = match outcome {
             Ok(Ok(finding)) => finding,
             Ok(Err(fault)) => return Err(fault.diagnostic),
-            Err(exhausted) => Finding {
-                verdict: Verdict::Undecided,
-                derived: exhausted.to_string(),
-                witness: None,
-                variables: Vec::new(),
-            },
+            Err(exhausted) => Finding::undecided(exhausted.to_string()),
         };
         let conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
         Ok(Judgement {
@@ -467,25 +463,31 @@ impl Model {
 
     /// For what a finding holds, in words.
     fn scope_of(&self, finding: &Finding) -> String {
-        let (mut functions, mut symbols) = (Vec::new(), Vec::new());
+        let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
         for variable in &finding.variables {
-            if self.scope.calculus.is_function(variable) {
-                functions.push(variable.name());
-            } else if !self.scope.parameters.contains(variable) {
-                symbols.push(variable.name());
+            match self.scope.owner(variable) {
+                Some((name, true)) => curves.push(name),
+                Some((name, false)) => functions.push(name),
+                None if self.scope.parameters.contains(variable) => {}
+                None => symbols.push(variable.name()),
             }
         }
-        let quantity = |names: &[&str]| names.join(", ");
-        match (functions.as_slice(), symbols.as_slice()) {
-            ([], []) => match self.kind {
-                ItemKind::Sweep => format!("the sweep {}", self.name),
-                ItemKind::Lemma => format!("the data of the lemma {}", self.name),
-            },
-            ([], symbols) => format!("all {}, as indeterminates", quantity(symbols)),
-            (functions, []) => format!("all functions {}", quantity(functions)),
-            (functions, symbols) => {
-                format!("all functions {} and all {}, as indeterminates", quantity(functions), quantity(symbols))
+        let mut parts = Vec::new();
+        let every = if finding.general { "a general" } else { "every" };
+        let all = if finding.general { "general" } else { "all" };
+        for (role, names) in [("functions ", &mut functions), ("", &mut symbols)] {
+            names.sort_unstable();
+            names.dedup();
+            if !names.is_empty() {
+                parts.push(format!("{all} {role}{}", names.join(", ")));
             }
+        }
+        curves.dedup();
+        parts.extend(curves.iter().map(|curve| format!("{every} curve {curve}")));
+        match (parts.is_empty(), self.kind) {
+            (false, _) => parts.join(" and "),
+            (true, ItemKind::Sweep) => format!("the sweep {}", self.name),
+            (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }
 }

@@ -29,6 +29,10 @@ pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) ->
             Ok(surface) => surface_member(surface, member),
             Err(error) => Err(Fault::offset(object.span(), error)),
         },
+        Value::Tuple(parts) if parts.len() == COORDINATES.len() => match coordinate(name) {
+            Some(index) => Ok(Value::Scalar(parts[index].clone())),
+            None => Err(no_member(member, "a list of homogeneous coordinates", &COORDINATES)),
+        },
         other => match (component(name), other.vector()) {
             (Some(axis), Some(vector)) => Ok(Value::Scalar(vector.components()[axis].clone())),
             (_, Some(_)) => Err(no_member(member, "a vector", &["x", "y", "z"])),
@@ -42,6 +46,10 @@ pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) ->
 
 fn component(name: &str) -> Option<usize> {
     ["x", "y", "z"].iter().position(|known| *known == name)
+}
+
+fn coordinate(name: &str) -> Option<usize> {
+    COORDINATES.iter().position(|known| *known == name)
 }
 
 fn curve_member(curve: &Rc<Curve>, span: Span, member: &Name) -> Result<Value, Fault> {
@@ -75,7 +83,7 @@ fn surface_member(surface: &SweptSurface, member: &Name) -> Result<Value, Fault>
     if let Some(axis) = component(name) {
         return Ok(Value::Scalar(surface.position().components()[axis].clone()));
     }
-    match COORDINATES.iter().position(|known| *known == name) {
+    match coordinate(name) {
         Some(index) => Ok(Value::Scalar(surface.homogeneous().coordinates()[index].clone().into())),
         None => Err(no_member(member, "a surface", SURFACE_MEMBERS)),
     }

@@ -22,16 +22,23 @@ pub(super) struct Finding {
     pub witness: Option<String>,
     /// The variables that the sides depend on.
     pub variables: Vec<Variable>,
+    /// Whether the finding is about unknowns in general, and may differ for special values of them.
+    pub general: bool,
 }
 
 impl Finding {
     fn new(holds: bool, derived: impl Into<String>) -> Finding {
         let verdict = if holds { Verdict::Proved } else { Verdict::Refuted };
-        Finding { verdict, derived: derived.into(), witness: None, variables: Vec::new() }
+        // What holds identically holds for all values; what fails somewhere may hold elsewhere.
+        Finding { verdict, derived: derived.into(), witness: None, variables: Vec::new(), general: !holds }
     }
 
-    fn undecided(derived: impl Into<String>) -> Finding {
-        Finding { verdict: Verdict::Undecided, derived: derived.into(), witness: None, variables: Vec::new() }
+    pub(super) fn undecided(derived: impl Into<String>) -> Finding {
+        Finding { verdict: Verdict::Undecided, general: false, ..Finding::new(false, derived) }
+    }
+
+    fn in_general(self, general: bool) -> Finding {
+        Finding { general, ..self }
     }
 
     fn with_witness(mut self, witness: Option<String>) -> Finding {
@@ -39,8 +46,12 @@ impl Finding {
         self
     }
 
-    fn about<'a>(mut self, values: impl IntoIterator<Item = &'a Fraction>) -> Finding {
-        self.variables.extend(values.into_iter().flat_map(Fraction::occurring_variables));
+    fn about<'a>(self, values: impl IntoIterator<Item = &'a Fraction>) -> Finding {
+        self.about_variables(values.into_iter().flat_map(Fraction::occurring_variables))
+    }
+
+    fn about_variables(mut self, variables: impl IntoIterator<Item = Variable>) -> Finding {
+        self.variables.extend(variables);
         self.variables.sort();
         self.variables.dedup();
         self
@@ -102,7 +113,7 @@ fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument])
             let gcd = Poly::gcd_many(&polys);
             let sides: Vec<Fraction> = polys.into_iter().map(Fraction::from).collect();
             let text = format!("the common factor is {}", shortened(&gcd.to_string()));
-            Ok(Finding::new(gcd.is_one(), text).about(&sides))
+            Ok(Finding::new(gcd.is_one(), text).in_general(true).about(&sides))
         }
         _ => Err(no_relation(relation)),
     }
@@ -112,11 +123,15 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
     let (a, b) = (scope.rational_value(left)?, scope.rational_value(right)?);
     if let Value::Degree(degree) = a.bare() {
         let derived = degree.to_string();
-        let stated = degrees(&b).ok_or_else(|| {
-            Fault::new(right.span(), "a degree is compared with a pair of integers").help("write `degree(X) == (2, 9)`")
+        let stated = degrees(&b).filter(|stated| stated.len() == degree.degrees.len()).ok_or_else(|| {
+            let (stated, form) = match degree.degrees.len() {
+                1 => ("an integer", "degree(f, parameter = v) == 4"),
+                _ => ("a pair of integers", "degree(X) == (2, 9)"),
+            };
+            let message = format!("a degree is compared with {stated}");
+            Fault::new(right.span(), message).help(format!("write `{form}`"))
         })?;
-        let own = [degree.u, degree.v];
-        let holds = |test: fn(&i64, &i64) -> bool| own.iter().zip(&stated).all(|(a, b)| test(a, b));
+        let holds = |test: fn(&i64, &i64) -> bool| degree.degrees.iter().zip(&stated).all(|(a, b)| test(a, b));
         let holds = match operator {
             RelationOperator::Equal => holds(i64::eq),
             RelationOperator::LessEqual => holds(i64::le),
@@ -124,8 +139,10 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
             RelationOperator::Less => holds(i64::lt),
             RelationOperator::Greater => holds(i64::gt),
         };
-        let symbols = scope.symbols.iter().map(|symbol| Fraction::from(Poly::variable(symbol))).collect::<Vec<_>>();
-        return Ok(Finding::new(holds, derived).about(&symbols));
+        // Special values of the coefficients can only lower a degree.
+        let bound = matches!(operator, RelationOperator::LessEqual | RelationOperator::Less);
+        let finding = Finding::new(holds, derived).in_general(!(holds && bound));
+        return Ok(finding.about_variables(degree.variables.iter().cloned()));
     }
     if operator == RelationOperator::Equal {
         return equality(scope, left, &a, right, &b);
@@ -145,15 +162,15 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
     inequality(scope, &difference, strict, left.span().to(right.span()))
 }
 
-/// The degrees that a pair states.
-fn degrees(value: &Value) -> Option<[i64; 2]> {
-    if let Value::Degree(degree) = value.bare() {
-        return Some([degree.u, degree.v]);
-    }
-    let Value::Tuple(parts) = value.bare() else { return None };
+/// The degrees that a pair or an integer states.
+fn degrees(value: &Value) -> Option<Vec<i64>> {
     let part = |part: &Fraction| part.to_rational().filter(|value| value.is_integer())?.to_integer().small();
-    let [u, v] = parts.as_slice() else { return None };
-    Some([part(u)?, part(v)?])
+    match value.bare() {
+        Value::Degree(degree) => Some(degree.degrees.clone()),
+        Value::Tuple(parts) => parts.iter().map(part).collect(),
+        Value::Scalar(degree) => Some(vec![part(degree)?]),
+        _ => None,
+    }
 }
 
 fn equality(scope: &Scope, left: &Expr, a: &Value, right: &Expr, b: &Value) -> Result<Finding, Fault> {
@@ -248,8 +265,12 @@ fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
                     let degree = surface.homogeneous().degree();
                     Ok(Finding::new(true, format!("rational, of degree {degree}")).about(surface.position().components()))
                 }
-                Err(error @ OffsetError::SymbolicRadical { .. }) => Ok(Finding::new(true, error.to_string())),
-                Err(error @ OffsetError::Irrational { .. }) => Ok(Finding::new(false, error.to_string())),
+                Err(error @ OffsetError::SymbolicRadical { radicand }) => {
+                    Ok(Finding::new(true, error.to_string()).about_variables(radicand.occurring_variables()))
+                }
+                Err(error @ OffsetError::Irrational { .. }) => {
+                    Ok(Finding::new(false, error.to_string()).about_variables(scope.symbols.iter().cloned()))
+                }
                 Err(error) => Err(Fault::offset(expr.span(), error)),
             },
             other => {

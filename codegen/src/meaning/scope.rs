@@ -116,6 +116,8 @@ impl Scope {
             "is a homogeneous coordinate of the surface"
         } else if is_radical(text) {
             "is reserved for square roots"
+        } else if self.calculus.is_function(&Variable::new(Variable::SYMBOL, text)) {
+            "stands for a derivative of an unknown function, or for a coordinate of a curve"
         } else {
             return Ok(());
         };
@@ -131,6 +133,47 @@ impl Scope {
             }
         }
         curves
+    }
+
+    /// Reports names in use that the derivatives of a new unknown function would have.
+    pub(super) fn check_derivatives(&self, function: &Name, parameter: &Variable) -> Result<(), Fault> {
+        let mut derivatives = Calculus::new();
+        derivatives.function(&function.value, parameter);
+        let is_derivative = |name: &&String| derivatives.is_function(&Variable::new(Variable::SYMBOL, name));
+        self.check_unused(self.values.keys().find(is_derivative), function.span, "a derivative")
+    }
+
+    /// Reports a name in use that the curve `curve` would have for its coordinate `suffix`.
+    pub(super) fn check_coordinate(&self, curve: &str, suffix: &str, span: Span) -> Result<(), Fault> {
+        let name = format!("{curve}_{suffix}");
+        self.check_unused(self.values.contains_key(&name).then_some(&name), span, "a coordinate")
+    }
+
+    fn check_unused(&self, taken: Option<&String>, span: Span, role: &str) -> Result<(), Fault> {
+        let Some(taken) = taken else { return Ok(()) };
+        let message = format!("`{taken}` would also be the name of {role} of this");
+        let mut diagnostic = Diagnostic::new(span, message);
+        if let Some((_, first)) = self.values.get(taken) {
+            diagnostic = diagnostic.also(*first, "defined here");
+        }
+        Err(diagnostic.help("use another name").into())
+    }
+
+    /// The declared function that `variable` is, or is a derivative of; or the curve that it belongs to, with `true`.
+    pub(super) fn owner(&self, variable: &Variable) -> Option<(&str, bool)> {
+        if !self.calculus.is_function(variable) {
+            return None;
+        }
+        let belongs = |name: &str| {
+            let rest = variable.name().strip_prefix(name);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+        };
+        let declared = self.values.iter().filter_map(|(name, (value, _))| match value {
+            Value::Function(_) if belongs(name) => Some((name.as_str(), false)),
+            Value::Curve(_) if belongs(name) => Some((name.as_str(), true)),
+            _ => None,
+        });
+        declared.max_by_key(|(name, _)| name.len())
     }
 
     /// Marks a name whose definition failed: what uses it is not reported again.

@@ -1,8 +1,9 @@
 //! The values of expressions.
 
+use std::fmt;
 use std::rc::Rc;
 
-use hodograph_algebra::{Bidegree, Curve, Fraction, OffsetError, SweptSurface, Variable, Vector};
+use hodograph_algebra::{Curve, Fraction, OffsetError, SweptSurface, Variable, Vector};
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -26,7 +27,7 @@ pub(super) enum Value {
     /// A function of parameters, `let c(v) = …`.
     Function(Rc<FunctionValue>),
     /// The degrees of polynomials.
-    Degree(Bidegree),
+    Degree(Rc<DegreeValue>),
 }
 
 /// A complex rational function.
@@ -71,6 +72,27 @@ impl ComplexFraction {
 impl From<Fraction> for ComplexFraction {
     fn from(re: Fraction) -> ComplexFraction {
         ComplexFraction { re, im: Fraction::zero() }
+    }
+}
+
+/// The degrees of polynomials in one or two parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct DegreeValue {
+    /// The degree in each parameter; that of zero is −1.
+    pub degrees: Vec<i64>,
+    /// What the polynomials depend on besides.
+    pub variables: Vec<Variable>,
+}
+
+impl fmt::Display for DegreeValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.degrees.as_slice() {
+            [degree] => write!(f, "{degree}"),
+            degrees => {
+                let degrees: Vec<String> = degrees.iter().map(i64::to_string).collect();
+                write!(f, "({})", degrees.join(", "))
+            }
+        }
     }
 }
 

@@ -1,0 +1,90 @@
+//! `hodograph derive`: what a surface is.
+
+mod factors;
+mod json;
+mod latex;
+mod text;
+
+use std::process::ExitCode;
+
+use hodograph_algebra::{Derivation, Offset, budget};
+use hodograph_codegen::language::Diagnostic;
+use hodograph_codegen::language::ast::Item;
+use hodograph_codegen::meaning::Model;
+
+use crate::args::{DeriveArguments, DeriveFormat};
+use crate::console::{self, Progress};
+use crate::failure::Failure;
+use crate::input::{self, Document};
+use crate::layout;
+
+/// How many significant digits the approximations of the field's generators have.
+const APPROXIMATION_DIGITS: u32 = 20;
+
+/// A sweep with what follows from its formula.
+#[derive(Debug)]
+pub struct Derived<'a> {
+    /// The sweep as it is written.
+    item: &'a Item,
+    /// What it means.
+    model: &'a Model,
+    /// What follows.
+    derivation: Derivation,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Bad input; a surface that cannot be derived.
+pub fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
+    let document = input::load(&arguments.input.input)?;
+    let sweeps = document.sweeps(arguments.input.sweep.as_deref())?;
+    let progress = Progress::new();
+    let mut all = Vec::new();
+    for model in sweeps {
+        progress.show(&format!("deriving {}", model.name));
+        all.push(derived(&document, model)?);
+    }
+    drop(progress);
+    console::print(&match arguments.format {
+        DeriveFormat::Text => all.iter().map(text::output).collect::<Vec<_>>().join("\n"),
+        DeriveFormat::Json => json::output(&all),
+        DeriveFormat::Latex => latex::output(&all),
+    })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, Failure> {
+    let failed = |message: String| Failure::at(&document.source, Diagnostic::new(model.span, message));
+    let (Some(surface), Some(item)) = (&model.surface, document.item(model)) else {
+        return Err(failed(format!("`{}` has no surface", model.name)));
+    };
+    let derivation = match budget::with_budget(budget::DEFAULT_LIMIT, || surface.derive()) {
+        Ok(Ok(derivation)) => derivation,
+        Ok(Err(error)) => return Err(failed(error.to_string())),
+        Err(exhausted) => return Err(failed(exhausted.to_string())),
+    };
+    Ok(Derived { item, model, derivation })
+}
+
+/// Why the offset is rational, or not, in a sentence.
+fn offset_reason(derivation: &Derivation) -> String {
+    let split = derivation.normal.split();
+    match &derivation.offset {
+        Offset::Rational(_) if split.unit.is_one() => {
+            format!("|N|^2 is the square of {}", layout::polynomial(&split.root))
+        }
+        Offset::Rational(_) => {
+            let (unit, root) = (layout::polynomial(&split.unit), layout::polynomial(&split.root));
+            format!("|N|^2 is a positive number times a square: ({unit})*({root})^2")
+        }
+        Offset::SymbolicRadical { radicand } => {
+            let radicand = layout::polynomial(radicand);
+            format!("rational in the parameters, over the square root of {radicand}, which depends on the symbols alone")
+        }
+        Offset::Irrational { odd } => {
+            format!("|N|^2 contains the factor {} to an odd power, so it is no square", layout::polynomial(odd))
+        }
+        other => format!("rational: {}", other.is_rational()),
+    }
+}

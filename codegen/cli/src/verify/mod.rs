@@ -1,0 +1,155 @@
+//! `hodograph verify`: the verdict on every claim.
+
+mod json;
+mod text;
+
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use hodograph_algebra::{Bidegree, budget};
+use hodograph_codegen::language::ast::{ItemKind, Verdict};
+use hodograph_codegen::language::{Diagnostics, Report};
+use hodograph_codegen::meaning::{Judgement, Model};
+
+use crate::args::{Format, VerifyArguments};
+use crate::console::{self, Progress};
+use crate::failure::Failure;
+use crate::input::{self, Document};
+
+/// The exit status if a verdict is other than expected.
+const UNEXPECTED: u8 = 1;
+
+/// The exit status if a claim is undecided that was expected to be decided.
+const UNDECIDED: u8 = 3;
+
+/// A sweep or a lemma with the verdicts on its claims.
+#[derive(Debug)]
+pub struct Entry {
+    kind: ItemKind,
+    name: String,
+    source: Option<String>,
+    degrees: Option<Degrees>,
+    judgements: Vec<Judgement>,
+}
+
+/// The degrees of a sweep's homogeneous coordinates.
+#[derive(Debug)]
+struct Degrees {
+    coordinates: [Bidegree; 4],
+    patch: Bidegree,
+    raw: Bidegree,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Bad input, mistakes in claims included.
+pub fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
+    let start = Instant::now();
+    let documents =
+        if arguments.inputs.is_empty() { input::catalogue()? } else { input::load_all(&arguments.inputs)? };
+    let entries = check_all(&documents)?;
+    let output = match arguments.format {
+        Format::Text => text::output(&entries, start.elapsed()),
+        Format::Json => json::output(&entries),
+    };
+    console::print(&output)?;
+    Ok(status(&entries).into())
+}
+
+fn check_all(documents: &[Document]) -> Result<Vec<Entry>, Failure> {
+    let progress = Progress::new();
+    let (mut entries, mut failures) = (Vec::new(), Vec::new());
+    for document in documents {
+        let mut diagnostics = Diagnostics::new();
+        for model in document.models() {
+            progress.show(&format!("checking {}", model.name));
+            entries.push(check(model, &mut diagnostics));
+        }
+        if !diagnostics.is_empty() {
+            failures.push(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
+        }
+    }
+    if failures.is_empty() { Ok(entries) } else { Err(Failure::Several(failures)) }
+}
+
+fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
+    let degrees = model.surface.as_ref().and_then(|surface| {
+        let homogeneous = budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()).ok()?;
+        let (patch, raw) = (homogeneous.degree(), homogeneous.raw_degree());
+        Some(Degrees { coordinates: homogeneous.degrees(), patch, raw })
+    });
+    let mut judgements = Vec::new();
+    for claim in &model.claims {
+        match model.check(claim, budget::DEFAULT_LIMIT) {
+            Ok(judgement) => judgements.push(judgement),
+            Err(diagnostic) => diagnostics.push(diagnostic),
+        }
+    }
+    Entry { kind: model.kind, name: model.name.clone(), source: model.source.clone(), degrees, judgements }
+}
+
+/// The exit status for these verdicts.
+fn status(entries: &[Entry]) -> u8 {
+    let mut unexpected = entries.iter().flat_map(|entry| &entry.judgements).filter(|judgement| !expected(judgement));
+    let mut status = 0;
+    // One claim that is wrong outranks any number of undecided ones.
+    if unexpected.clone().any(|judgement| judgement.verdict == Verdict::Undecided) {
+        status = UNDECIDED;
+    }
+    if unexpected.any(|judgement| judgement.verdict != Verdict::Undecided) {
+        status = UNEXPECTED;
+    }
+    status
+}
+
+/// Whether the verdict is the one that the source expects.
+fn expected(judgement: &Judgement) -> bool {
+    judgement.verdict == judgement.expected
+}
+
+/// How long something took, for people.
+fn seconds(duration: Duration) -> String {
+    format!("{:.1} s", duration.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    pub(super) fn judgement(id: &str, verdict: Verdict, expected: Verdict) -> Judgement {
+        Judgement {
+            id: id.to_owned(),
+            sweep: "s".to_owned(),
+            source: Some("a book".to_owned()),
+            statement: "degree(X) == (2, 9)".to_owned(),
+            notes: vec!["a note".to_owned()],
+            verdict,
+            scope: "the sweep s".to_owned(),
+            condition: None,
+            expected,
+            derived: "(2, 8)".to_owned(),
+            witness: (verdict == Verdict::Refuted).then(|| "u = 1/2: left 1, right 2".to_owned()),
+        }
+    }
+
+    pub(super) fn entry(judgements: Vec<Judgement>) -> Entry {
+        Entry { kind: ItemKind::Lemma, name: "s".to_owned(), source: None, degrees: None, judgements }
+    }
+
+    #[test]
+    fn what_is_wrong_outranks_what_is_undecided() {
+        use Verdict::{Proved, Refuted, Undecided};
+        let of = |pairs: &[(Verdict, Verdict)]| {
+            status(&[entry(pairs.iter().map(|(verdict, expected)| judgement("a", *verdict, *expected)).collect())])
+        };
+        assert_eq!(of(&[]), 0);
+        assert_eq!(of(&[(Proved, Proved), (Refuted, Refuted), (Undecided, Undecided)]), 0);
+        assert_eq!(of(&[(Refuted, Proved)]), 1);
+        assert_eq!(of(&[(Proved, Refuted)]), 1);
+        assert_eq!(of(&[(Proved, Undecided)]), 1);
+        assert_eq!(of(&[(Undecided, Proved), (Proved, Proved)]), 3);
+        assert_eq!(of(&[(Undecided, Refuted), (Refuted, Proved)]), 1);
+        assert_eq!(of(&[(Refuted, Undecided), (Undecided, Proved)]), 1);
+    }
+}
