@@ -1,14 +1,13 @@
 //! The catalogue's evaluators against exact evaluation.
 
-use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use hodograph::{Regularity, Surface, catalogue};
-use hodograph_algebra::{Enclosure, Poly};
+use hodograph::{GridError, Regularity, Surface, catalogue};
+use hodograph_algebra::{Enclosure, Homogeneous};
 use hodograph_codegen::round::nearest;
 use hodograph_tests::catalogue::{Entry, entries};
-use hodograph_tests::oracle::{Oracle, Truth, error, magnitude};
+use hodograph_tests::oracle::{Oracle, error, magnitude};
 use hodograph_tests::precision::{Quantity, allowance};
 use hodograph_tests::random::SplitMix64;
 
@@ -18,13 +17,13 @@ const RANDOM_POINTS: usize = 1000;
 /// Distances at which offset points are evaluated.
 const DISTANCES: [f64; 4] = [-1.25, 0.0, 1.0 / 3.0, 2.0];
 
-thread_local! {
-    static ENTRIES: OnceCell<&'static [Entry]> = const { OnceCell::new() };
-}
+/// Half the step between floats of size 1: the unit of the table of errors.
+const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// Runs `test` for each surface of the catalogue with what is derived from its formula.
 fn for_each(mut test: impl FnMut(&'static dyn Surface, &Entry)) {
     let entries = entries();
+    assert!(!entries.is_empty());
     assert_eq!(entries.len(), catalogue::all().len(), "the catalogue misses a sweep");
     for &surface in catalogue::all() {
         let entry = entries.iter().find(|entry| entry.model.name == surface.name());
@@ -32,12 +31,231 @@ fn for_each(mut test: impl FnMut(&'static dyn Surface, &Entry)) {
     }
 }
 
-/// The corners, the middles of the edges, and random points of a surface's domain.
+/// The corners and the middles of the edges of a surface's domain, then random points in it.
 fn parameters(surface: &dyn Surface) -> Vec<(f64, f64)> {
-    let mut random = SplitMix64::new(20_140_101);
+    let mut random = SplitMix64::new(2014);
     let thirds = [0.0, 0.5, 1.0];
     let border = thirds.iter().flat_map(|&s| thirds.iter().map(move |&t| (s, t)));
     let border = border.filter(|&at| at != (0.5, 0.5));
     let random = (0..RANDOM_POINTS).map(|_| (random.next_f64(), random.next_f64()));
     border.chain(random).map(|(s, t)| surface.domain().at(s, t)).collect()
+}
+
+/// The largest error and the largest absolute value of each component of a quantity.
+#[derive(Default)]
+struct Errors {
+    components: Vec<(f64, f64)>,
+}
+
+impl Errors {
+    fn record(&mut self, floats: &[f64], truth: &[Enclosure]) {
+        assert_eq!(floats.len(), truth.len());
+        self.components.resize(floats.len(), (0.0, 0.0));
+        for ((largest, size), (&float, truth)) in self.components.iter_mut().zip(floats.iter().zip(truth)) {
+            *largest = largest.max(error(float, truth));
+            *size = size.max(magnitude(truth));
+        }
+    }
+
+    /// The error of each component relative to its own size, in units; an error of a component that is zero everywhere
+    /// is relative to the size of the vector.
+    fn of_components(&self) -> Vec<f64> {
+        let relative = |&(error, size): &(f64, f64)| {
+            let size = if size > 0.0 { size } else { self.size() };
+            if error > 0.0 { error / size / UNIT } else { 0.0 }
+        };
+        self.components.iter().map(relative).collect()
+    }
+
+    /// The largest error relative to the size of the quantity, in units. Homogeneous coordinates are measured each by
+    /// itself, since they have no common size.
+    fn relative(&self, quantity: Quantity) -> f64 {
+        if matches!(quantity, Quantity::Homogeneous | Quantity::ControlNet) {
+            return self.of_components().into_iter().fold(0.0, f64::max);
+        }
+        let error = self.components.iter().map(|&(error, _)| error).fold(0.0, f64::max);
+        if error > 0.0 { error / self.size() / UNIT } else { 0.0 }
+    }
+
+    fn size(&self) -> f64 {
+        self.components.iter().map(|&(_, size)| size).fold(0.0, f64::max)
+    }
+}
+
+/// All quantities at all points of a surface, compared with exact evaluation.
+fn measure(surface: &dyn Surface, entry: &Entry) -> BTreeMap<Quantity, Errors> {
+    let oracle = Oracle::new(&entry.derivation);
+    let mut errors: BTreeMap<Quantity, Errors> = BTreeMap::new();
+    let mut record = |quantity, floats: &[f64], truth: &[Enclosure]| {
+        errors.entry(quantity).or_default().record(floats, truth);
+    };
+    for (u, v) in parameters(surface) {
+        let name = surface.name();
+        let truth = oracle.at(u, v);
+        let homogeneous = surface.homogeneous(u, v);
+        record(Quantity::Homogeneous, &homogeneous, &truth.homogeneous);
+        record(Quantity::Point, &surface.point(u, v), &truth.point);
+        record(Quantity::PartialU, &surface.partial_u(u, v), &truth.partial_u);
+        record(Quantity::PartialV, &surface.partial_v(u, v), &truth.partial_v);
+        record(Quantity::SpeedU, &[surface.speed_u(u, v)], std::slice::from_ref(&truth.speed_u));
+        record(Quantity::SpeedV, &[surface.speed_v(u, v)], std::slice::from_ref(&truth.speed_v));
+        match (surface.unit_normal(u, v), &truth.unit_normal) {
+            (Regularity::Regular(normal), Some(truth)) => record(Quantity::UnitNormal, &normal, truth),
+            (Regularity::Singular, None) => {}
+            (found, exact) => panic!("{name} at ({u}, {v}) has the normal {found:?}, exactly {exact:?}"),
+        }
+        for r in DISTANCES {
+            match (surface.offset_point(r, u, v), &truth.offset_point(r)) {
+                (Regularity::Regular(point), Some(truth)) => record(Quantity::OffsetPoint, &point, truth),
+                (Regularity::Singular, None) => {}
+                (found, exact) => panic!("{name} at ({u}, {v}) has the offset {found:?}, exactly {exact:?}"),
+            }
+        }
+        record(Quantity::ControlNet, &bezier_point(surface, u, v), &truth.homogeneous);
+    }
+    errors
+}
+
+/// The homogeneous point of a surface's control net at (u, v), by de Casteljau's scheme in u, then in v.
+fn bezier_point(surface: &dyn Surface, u: f64, v: f64) -> [f64; 4] {
+    let hodograph::Domain { u: [u_first, u_last], v: [v_first, v_last] } = surface.domain();
+    let (s, t) = ((u - u_first) / (u_last - u_first), (v - v_first) / (v_last - v_first));
+    let rows = surface.control_net().chunks(surface.degree().1 as usize + 1);
+    de_casteljau(rows.map(|row| de_casteljau(row.to_vec(), t)).collect(), s)
+}
+
+fn de_casteljau(mut points: Vec<[f64; 4]>, t: f64) -> [f64; 4] {
+    while points.len() > 1 {
+        points = points
+            .windows(2)
+            .map(|pair| std::array::from_fn(|i| (1.0 - t) * pair[0][i] + t * pair[1][i]))
+            .collect();
+    }
+    points[0]
+}
+
+#[test]
+fn floats_are_as_near_to_the_exact_values_as_stated() {
+    let mut table = String::from("Largest errors, in units of 2^-53 times the size on the patch\n");
+    let mut excessive = Vec::new();
+    for_each(|surface, entry| {
+        _ = writeln!(table, "\n{}", surface.name());
+        let errors = measure(surface, entry);
+        for quantity in Quantity::ALL {
+            let errors = errors.get(&quantity).unwrap_or_else(|| panic!("{quantity:?} is not measured"));
+            let (found, allowed) = (errors.relative(quantity), allowance(surface.name(), quantity));
+            let components: Vec<String> =
+                errors.of_components().iter().map(|error| format!("{error:8.2}")).collect();
+            let components = components.join(" ");
+            let name = quantity.name();
+            _ = writeln!(table, "  {name:<14}{found:8.2} of {allowed:6.1} allowed; by component {components}");
+            if found > allowed {
+                excessive.push(format!("{} of {}: {found:.2} > {allowed}", name, surface.name()));
+            }
+        }
+    });
+    println!("{table}");
+    assert!(excessive.is_empty(), "{table}\nbeyond what is allowed:\n{}", excessive.join("\n"));
+}
+
+#[test]
+fn surfaces_state_what_was_derived() {
+    for_each(|surface, entry| {
+        let degree = entry.derivation.homogeneous.degree();
+        assert_eq!(surface.degree(), (degree.u as u32, degree.v as u32), "{}", surface.name());
+        let domain = surface.domain();
+        for (ends, interval) in [domain.u, domain.v].iter().zip(&entry.derivation.domain) {
+            assert_eq!(ends.map(Ok), [nearest(interval.lower()), nearest(interval.upper())], "{}", surface.name());
+        }
+        let exact = entry.derivation.control_net.points.iter().flatten();
+        let exact: Vec<[f64; 4]> =
+            exact.map(|point| point.each_ref().map(|number| nearest(number).unwrap())).collect();
+        assert_eq!(surface.control_net(), exact, "{}", surface.name());
+    });
+}
+
+#[test]
+fn control_nets_meet_their_surfaces_at_the_corners() {
+    for_each(|surface, _| {
+        let (m, n) = (surface.degree().0 as usize, surface.degree().1 as usize);
+        let net = surface.control_net();
+        assert_eq!(net.len(), (m + 1) * (n + 1), "{}", surface.name());
+        let corners = [(0.0, 0.0, 0), (0.0, 1.0, n), (1.0, 0.0, m * (n + 1)), (1.0, 1.0, net.len() - 1)];
+        for (s, t, index) in corners {
+            let (u, v) = surface.domain().at(s, t);
+            let size = net.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+            let allowed = allowance(surface.name(), Quantity::Homogeneous) * UNIT * size;
+            for (i, (found, exact)) in surface.homogeneous(u, v).iter().zip(net[index]).enumerate() {
+                let name = Homogeneous::NAMES[i];
+                assert!((found - exact).abs() <= allowed, "{}: {name} at ({u}, {v})", surface.name());
+            }
+        }
+    });
+}
+
+#[test]
+fn grids_have_the_bits_of_points() {
+    for_each(|surface, _| {
+        let mut random = SplitMix64::new(7);
+        // One point, a row, a column, and more columns than are computed at a time.
+        for (m, n) in [(1, 1), (17, 1), (1, 9), (16, 5), (300, 3)] {
+            let (us, vs): (Vec<f64>, Vec<f64>) = {
+                let mut list = |count: usize, end: usize| -> Vec<f64> {
+                    let numbers = (0..count).map(|_| random.next_f64());
+                    let pair = |t| if end == 0 { surface.domain().at(t, 0.0).0 } else { surface.domain().at(0.0, t).1 };
+                    numbers.map(pair).collect()
+                };
+                (list(m, 0), list(n, 1))
+            };
+            let mut out = vec![[f64::NAN; 3]; m * n];
+            assert_eq!(surface.grid(&us, &vs, &mut out), Ok(()));
+            for (j, &v) in vs.iter().enumerate() {
+                for (i, &u) in us.iter().enumerate() {
+                    let (found, point) = (out[j * m + i].map(f64::to_bits), surface.point(u, v).map(f64::to_bits));
+                    assert_eq!(found, point, "{} at ({u}, {v})", surface.name());
+                }
+            }
+        }
+        let mut short = [[7.0; 3]; 3];
+        let wrong = surface.grid(&[0.0, 1.0], &[0.0, 1.0], &mut short);
+        assert_eq!(wrong, Err(GridError::Length { expected: 4, found: 3 }), "{}", surface.name());
+        assert_eq!(short, [[7.0; 3]; 3], "{}", surface.name());
+    });
+}
+
+#[test]
+fn singular_points_are_explicit() {
+    let surface = catalogue::scaled_rotation_example_1::ScaledRotationExample1;
+    for k in 0..=64 {
+        let v = f64::from(k) / 64.0;
+        // x(u) = 0 at u = 1, where the whole edge is one point of the axis.
+        assert_eq!(surface.point(1.0, v), [0.0, 0.0, 1.0]);
+        assert_eq!(surface.unit_normal(1.0, v), Regularity::Singular, "v = {v}");
+        for r in DISTANCES {
+            assert_eq!(surface.offset_point(r, 1.0, v), Regularity::Singular, "v = {v}");
+        }
+        let before = surface.unit_normal(1.0 - f64::EPSILON, v);
+        assert!(!before.is_singular(), "v = {v}");
+    }
+}
+
+#[test]
+fn normals_are_of_unit_length_and_never_nan() {
+    let floats = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e-320, 1e160];
+    for_each(|surface, _| {
+        let places = floats.iter().flat_map(|&u| floats.iter().map(move |&v| (u, v)));
+        for (u, v) in places.chain(parameters(surface)) {
+            let (normal, offset) = (surface.unit_normal(u, v), surface.offset_point(0.5, u, v));
+            if let Some([x, y, z]) = normal.regular() {
+                let length = (x * x + y * y + z * z).sqrt();
+                let allowed = 2.0 * allowance(surface.name(), Quantity::UnitNormal) * UNIT;
+                let inside = surface.domain().contains(u, v);
+                assert!(length.is_finite(), "{} at ({u}, {v})", surface.name());
+                assert!(!inside || (length - 1.0).abs() <= allowed, "{} at ({u}, {v}): {length}", surface.name());
+            }
+            if let Some(point) = offset.regular() {
+                assert!(point.iter().all(|x| x.is_finite()), "{} at ({u}, {v})", surface.name());
+            }
+        }
+    });
 }

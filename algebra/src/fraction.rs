@@ -61,7 +61,7 @@ impl Fraction {
                 insert(&mut fraction.factors, normalized, exponent);
             }
         }
-        fraction
+        if fraction.is_zero() { Fraction::zero() } else { fraction }
     }
 
     /// The numerator over [`Fraction::denominator`].
@@ -140,13 +140,15 @@ impl Fraction {
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Fraction {
         let factors = self.factors.iter().map(|(factor, e)| (factor.clone(), e.saturating_mul(exponent)));
-        Fraction { numerator: self.numerator.pow(exponent), factors: if exponent == 0 { Vec::new() } else { factors.collect() } }
+        let factors = if exponent == 0 { Vec::new() } else { factors.collect() };
+        Fraction { numerator: self.numerator.pow(exponent), factors }
     }
 
     /// `self · factor`.
     #[must_use]
     pub fn scale(&self, factor: &Rational) -> Fraction {
-        Fraction { numerator: self.numerator.scale(factor), factors: self.factors.clone() }
+        let numerator = self.numerator.scale(factor);
+        if numerator.is_zero() { Fraction::zero() } else { Fraction { numerator, factors: self.factors.clone() } }
     }
 
     /// The same rational function with every known factor cancelled as often as it divides the numerator.
@@ -269,6 +271,22 @@ impl Fraction {
     pub fn map(&self, mut map: impl FnMut(&Poly) -> Poly) -> Fraction {
         let factors: Vec<(Poly, u32)> = self.factors.iter().map(|(factor, e)| (map(factor), *e)).collect();
         Fraction::new(map(&self.numerator), factors)
+    }
+
+    /// Whether the representation is as described at [`Fraction`]: factors that are normalized, not constant and distinct,
+    /// with positive exponents, and none for zero.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        let distinct = |(index, (factor, _)): (usize, &(Poly, u32))| {
+            self.factors[..index].iter().all(|(other, _)| other != factor)
+        };
+        let normalized = |(factor, exponent): &(Poly, u32)| {
+            *exponent > 0 && !factor.is_constant() && factor.normalized() == *factor && factor.is_valid()
+        };
+        self.numerator.is_valid()
+            && (!self.is_zero() || self.factors.is_empty())
+            && self.factors.iter().all(normalized)
+            && self.factors.iter().enumerate().all(distinct)
     }
 
     /// The factors of the least common denominator of `fractions`.

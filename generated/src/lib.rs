@@ -18,9 +18,13 @@ pub mod catalogue;
 pub mod float;
 pub mod grid;
 mod regularity;
+#[cfg(feature = "sources")]
+mod sources;
 mod surface;
 
 pub use grid::GridError;
 pub use hodograph_macros::sweep;
 pub use regularity::Regularity;
+#[cfg(feature = "sources")]
+pub use sources::{Source, sources};
 pub use surface::{Domain, Surface};

@@ -8,6 +8,9 @@ use super::algebraic;
 use crate::poly::Poly;
 use crate::{Int, budget};
 
+/// The largest number of generators of a field, so that its degree is at most 2¹⁶.
+const MAX_GENERATORS: usize = 16;
+
 /// One generator `g` of a [`NumberField`]: the positive root of `g² = r`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Generator {
@@ -119,8 +122,13 @@ impl NumberField {
 
 /// The field with a further generator, the positive root of `radicand`: a positive number of `field` with integer
 /// coefficients that is no square in it.
+///
+/// Leaves the computation (see [`budget`]) where that needs more than [`MAX_GENERATORS`].
 pub(crate) fn adjoin(field: &Arc<NumberField>, radicand: &Poly) -> Arc<NumberField> {
-    budget::spend(1 << field.generators.len().min(40));
+    if field.generators.len() >= MAX_GENERATORS {
+        budget::refuse(format!("these numbers need more than {MAX_GENERATORS} independent square roots"));
+    }
+    budget::spend(1 << field.generators.len());
     debug_assert!(radicand.content().is_integer());
     let content = radicand.content().to_integer();
     let count = field.generators.len();

@@ -31,7 +31,7 @@ pub(crate) fn linear_combination(a: &Int, x: &[Term], b: &Int, y: &[Term]) -> Ve
 /// The product of sorted lists of terms, with the rules of the field applied.
 ///
 /// Dense products (where the exponents of the result fill their box well) accumulate in an array indexed by packed
-/// exponents; sparse ones are collected and sorted. Both use machine words as long as the coefficients provably fit.
+/// exponents; sparse ones in a hash table, and are sorted at the end. Both use machine words as long as the coefficients provably fit.
 pub(crate) fn product(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
     let (x, y) = if x.len() <= y.len() { (x, y) } else { (y, x) };
     if x.is_empty() {
@@ -117,29 +117,82 @@ fn multiply<A: Accumulator>(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
             .map(|(place, cell)| Term { monomial: layout.monomial(place), coefficient: cell.finish() })
             .collect();
     }
-    let mut products = Vec::with_capacity(x.len() * y.len());
-    for (i, p) in x.iter().enumerate() {
-        for (j, q) in y.iter().enumerate() {
-            products.push((p.monomial.0 + q.monomial.0, i as u32, j as u32));
+    let mut sums = SumTable::<A>::new(x.len() + y.len());
+    for (p, a) in x.iter().zip(&a) {
+        for (q, b) in y.iter().zip(&b) {
+            sums.at(p.monomial.0 + q.monomial.0).add_product(a, b);
         }
     }
-    products.sort_unstable_by(|p, q| q.cmp(p));
-    let mut terms: Vec<Term> = Vec::new();
-    let mut union = 0;
-    let mut run = products.into_iter().peekable();
-    while let Some((word, i, j)) = run.next() {
-        let mut sum = A::default();
-        sum.add_product(&a[i as usize], &b[j as usize]);
-        while let Some((_, i, j)) = run.next_if(|next| next.0 == word) {
-            sum.add_product(&a[i as usize], &b[j as usize]);
-        }
-        if !sum.is_nothing() {
-            union |= word;
-            terms.push(Term { monomial: Monomial(word), coefficient: sum.finish() });
-        }
-    }
-    ring.check_exponents(union);
+    let mut terms: Vec<Term> = sums.into_sums().collect();
+    terms.sort_unstable_by_key(|term| std::cmp::Reverse(term.monomial));
+    ring.check_exponents(terms.iter().fold(0, |union, term| union | term.monomial.0));
     terms
+}
+
+/// Sums under accumulation by monomial: a hash table with open addressing, which is cheap where many products share few
+/// monomials, as in polynomials of several symbols.
+struct SumTable<A> {
+    monomials: Vec<u128>,
+    sums: Vec<A>,
+    occupied: usize,
+}
+
+/// No monomial: its guard bits would be set.
+const VACANT: u128 = u128::MAX;
+
+impl<A: Accumulator> SumTable<A> {
+    fn new(expected: usize) -> SumTable<A> {
+        let size = (2 * expected).next_power_of_two();
+        SumTable { monomials: vec![VACANT; size], sums: vec![A::default(); size], occupied: 0 }
+    }
+
+    /// The place of a monomial, or the vacant one where it belongs.
+    #[inline]
+    fn place(&self, monomial: u128) -> usize {
+        let (low, high) = (monomial as u64, (monomial >> 64) as u64);
+        // Multiplicative hashing of both halves by odd constants (Knuth, vol. 3, 6.4).
+        let hash = low.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ high.wrapping_mul(0xC2B2_AE3D_27D4_EB4F);
+        let mask = self.monomials.len() - 1;
+        let mut place = (hash ^ hash >> 32) as usize & mask;
+        while self.monomials[place] != VACANT && self.monomials[place] != monomial {
+            place = (place + 1) & mask;
+        }
+        place
+    }
+
+    #[inline]
+    fn at(&mut self, monomial: u128) -> &mut A {
+        let mut place = self.place(monomial);
+        if self.monomials[place] == VACANT {
+            if 2 * self.occupied >= self.monomials.len() {
+                self.grow();
+                place = self.place(monomial);
+            }
+            self.monomials[place] = monomial;
+            self.occupied += 1;
+        }
+        &mut self.sums[place]
+    }
+
+    fn grow(&mut self) {
+        let larger = SumTable::new(self.monomials.len());
+        let old = std::mem::replace(self, larger);
+        for (monomial, sum) in old.monomials.into_iter().zip(old.sums) {
+            if monomial != VACANT {
+                let place = self.place(monomial);
+                self.monomials[place] = monomial;
+                self.sums[place] = sum;
+                self.occupied += 1;
+            }
+        }
+    }
+
+    /// The nonzero sums, in no order.
+    fn into_sums(self) -> impl Iterator<Item = Term> {
+        let sums = self.monomials.into_iter().zip(self.sums);
+        sums.filter(|(monomial, sum)| *monomial != VACANT && !sum.is_nothing())
+            .map(|(monomial, sum)| Term { monomial: Monomial(monomial), coefficient: sum.finish() })
+    }
 }
 
 /// The box of all exponents up to the degrees of a product, as an array in the order of monomials.

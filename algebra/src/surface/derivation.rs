@@ -77,7 +77,7 @@ impl SweptSurface {
         let parameters = self.parameters().clone();
         let domain = self.domain().clone();
         let symbols = self.symbols();
-        let distance = distance_symbol(&symbols);
+        let distance = self.distance_symbol();
         let homogeneous = budget::doing("the homogeneous coordinates", || self.homogeneous());
         let normal = budget::doing("the normal", || self.normal())?;
         let offset = budget::doing("the offset", || self.offset(&Poly::variable(&distance).into()));
@@ -126,18 +126,21 @@ impl SweptSurface {
             control_net,
         })
     }
-}
 
-/// `r`, or the first of `r1`, `r2`, … if the surface has a symbol of this name.
-fn distance_symbol(symbols: &[Variable]) -> Variable {
-    let taken = |name: &str| symbols.iter().any(|symbol| symbol.name() == name);
-    let mut name = "r".to_owned();
-    let mut number = 0;
-    while taken(&name) {
-        number += 1;
-        name = format!("r{number}");
+    /// The symbol for the distance of an offset: `r`, or the first of `r1`, `r2`, … if the surface has a symbol of this
+    /// name.
+    #[must_use]
+    pub fn distance_symbol(&self) -> Variable {
+        let symbols = self.symbols();
+        let taken = |name: &str| symbols.iter().any(|symbol| symbol.name() == name);
+        let mut name = "r".to_owned();
+        let mut number = 0;
+        while taken(&name) {
+            number += 1;
+            name = format!("r{number}");
+        }
+        Variable::new(Variable::SYMBOL, &name)
     }
-    Variable::new(Variable::SYMBOL, &name)
 }
 
 /// The polynomial over `field`, which grows where it must.

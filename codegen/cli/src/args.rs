@@ -11,7 +11,7 @@ use crate::decimal::MAX_DIGITS;
 /// Without a command, all claims of the catalogue are checked, as by `hodograph verify`.
 #[derive(Debug, Parser)]
 #[command(name = "hodograph", version, subcommand_value_name = "COMMAND", after_help = EXIT_STATUS)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -26,7 +26,7 @@ Exit status:
 
 /// The commands.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Check every claim of the catalogue, or of files
     Verify(VerifyArguments),
     /// Derive what a surface is: coordinates, degrees, normal, offset, singular loci, control net
@@ -39,7 +39,7 @@ pub enum Command {
 
 /// Where formulas come from.
 #[derive(Debug, Args)]
-pub struct Input {
+pub(crate) struct Input {
     /// A file in the sweep language, `-` for standard input, or the name of an entry of the catalogue
     #[arg(value_name = "FILE|NAME")]
     pub input: String,
@@ -50,7 +50,7 @@ pub struct Input {
 
 /// `hodograph verify`
 #[derive(Debug, Default, Args)]
-pub struct VerifyArguments {
+pub(crate) struct VerifyArguments {
     /// Files in the sweep language, `-` for standard input, or names of entries of the catalogue; the whole catalogue if
     /// there are none
     #[arg(value_name = "FILE|NAME")]
@@ -62,7 +62,7 @@ pub struct VerifyArguments {
 
 /// `hodograph derive`
 #[derive(Debug, Args)]
-pub struct DeriveArguments {
+pub(crate) struct DeriveArguments {
     #[command(flatten)]
     pub input: Input,
     /// The form of the result
@@ -72,7 +72,7 @@ pub struct DeriveArguments {
 
 /// `hodograph eval`
 #[derive(Debug, Args)]
-pub struct EvalArguments {
+pub(crate) struct EvalArguments {
     #[command(flatten)]
     pub input: Input,
     /// The value of a symbol, such as `a0=1/2`; every symbol of the surface needs one
@@ -97,7 +97,7 @@ pub struct EvalArguments {
 
 /// `hodograph emit`
 #[derive(Debug, Args)]
-pub struct EmitArguments {
+pub(crate) struct EmitArguments {
     #[command(flatten)]
     pub input: Input,
     /// The language of the source
@@ -116,7 +116,7 @@ pub struct EmitArguments {
 
 /// Forms of results.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub(crate) enum Format {
     /// For people
     #[default]
     Text,
@@ -126,7 +126,7 @@ pub enum Format {
 
 /// Forms of derivations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum DeriveFormat {
+pub(crate) enum DeriveFormat {
     /// For people
     #[default]
     Text,
@@ -138,15 +138,15 @@ pub enum DeriveFormat {
 
 /// What is evaluated at a point of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// The affine coordinates x, y, z
     #[default]
     Point,
     /// The homogeneous coordinates W, X, Y, Z, up to a common factor
     Homogeneous,
-    /// The normal direction: R_u x R_v without the common factor of its components
+    /// The normal R_u x R_v
     Normal,
-    /// The unit vector of the normal direction
+    /// The unit vector of R_u x R_v
     UnitNormal,
     /// The derivative R_u
     Du,
@@ -162,7 +162,7 @@ pub enum Quantity {
 
 /// Languages that sources are emitted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Target {
+pub(crate) enum Target {
     /// Rust
     Rust,
     /// C
@@ -171,7 +171,7 @@ pub enum Target {
 
 impl Quantity {
     /// The name that the command line and results have for it.
-    pub fn name(self) -> String {
+    pub(crate) fn name(self) -> String {
         self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 ///
 /// # Errors
 /// Any other failure to write.
-pub fn print(text: &str) -> Result<(), Failure> {
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::io("write to", "standard output", &error)),
@@ -17,7 +17,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Writes a failure to standard error.
-pub fn report(failure: &Failure) {
+pub(crate) fn report(failure: &Failure) {
     match failure {
         Failure::Message { message, help } => {
             complain(&format!("{} {message}", styled("error:", "1;91")));
@@ -33,24 +33,24 @@ pub fn report(failure: &Failure) {
 }
 
 /// Writes a remark to standard error.
-pub fn note(text: &str) {
+pub(crate) fn note(text: &str) {
     complain(&format!("{} {text}", styled("note:", "1;92")));
 }
 
 /// What is under way, on one line of a terminal that the next one replaces; elsewhere nothing.
 #[derive(Debug)]
-pub struct Progress {
+pub(crate) struct Progress {
     shown: bool,
 }
 
 impl Progress {
     /// Nothing yet.
-    pub fn new() -> Progress {
+    pub(crate) fn new() -> Progress {
         Progress { shown: io::stderr().is_terminal() }
     }
 
     /// Shows what is under way.
-    pub fn show(&self, text: &str) {
+    pub(crate) fn show(&self, text: &str) {
         if self.shown {
             // A closed standard error leaves nobody to tell.
             let _ = write!(io::stderr(), "\r\u{1b}[K{text}");

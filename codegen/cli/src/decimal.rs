@@ -5,14 +5,14 @@ use std::cmp::Ordering;
 use hodograph_algebra::{Int, Poly, Rational};
 
 /// The most significant digits that are printed.
-pub const MAX_DIGITS: u32 = 10_000;
+pub(crate) const MAX_DIGITS: u32 = 10_000;
 
 /// Zeros between the point and the first digit up to which a decimal is printed without an exponent.
 const MOST_ZEROS: i64 = 5;
 
 /// The number of the field correctly rounded to `digits` significant digits, halves away from zero. A number that has
 /// fewer digits is printed with all of them and no more; very small and very large ones have an exponent, as `1.5e-9`.
-pub fn significant(number: &Poly, digits: u32) -> String {
+pub(crate) fn significant(number: &Poly, digits: u32) -> String {
     let sign = match number.sign() {
         Ordering::Equal => return "0".to_owned(),
         Ordering::Less => "-",

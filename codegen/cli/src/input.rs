@@ -15,7 +15,7 @@ const STANDARD_INPUT: &str = "-";
 
 /// A source with all that it means, and the items of it that were asked for.
 #[derive(Debug)]
-pub struct Document {
+pub(crate) struct Document {
     /// The text, which resolves places.
     pub source: Source,
     /// What it says.
@@ -28,7 +28,7 @@ pub struct Document {
 
 impl Document {
     /// The models that were asked for, in the order of the source.
-    pub fn models(&self) -> impl Iterator<Item = &Model> {
+    pub(crate) fn models(&self) -> impl Iterator<Item = &Model> {
         self.models.iter().filter(|model| self.selected.as_ref().is_none_or(|name| *name == model.name))
     }
 
@@ -36,7 +36,7 @@ impl Document {
     ///
     /// # Errors
     /// No sweep of that name, or none at all.
-    pub fn sweeps(&self, sweep: Option<&str>) -> Result<Vec<&Model>, Failure> {
+    pub(crate) fn sweeps(&self, sweep: Option<&str>) -> Result<Vec<&Model>, Failure> {
         let name = self.source.name();
         let named = match sweep {
             Some(wanted) => vec![self.models.iter().find(|model| model.name == wanted).ok_or_else(|| {
@@ -66,7 +66,7 @@ impl Document {
     ///
     /// # Errors
     /// As [`Document::sweeps`]; several sweeps to choose from.
-    pub fn sweep(&self, sweep: Option<&str>) -> Result<&Model, Failure> {
+    pub(crate) fn sweep(&self, sweep: Option<&str>) -> Result<&Model, Failure> {
         let sweeps = self.sweeps(sweep)?;
         match sweeps.as_slice() {
             [one] => Ok(one),
@@ -79,7 +79,7 @@ impl Document {
     }
 
     /// The item that a model of this document stands for.
-    pub fn item(&self, model: &Model) -> Option<&ast::Item> {
+    pub(crate) fn item(&self, model: &Model) -> Option<&ast::Item> {
         self.file.items.iter().find(|item| item.name.value == model.name)
     }
 }
@@ -90,7 +90,7 @@ impl Document {
 ///
 /// # Errors
 /// Nothing of that name; a file that cannot be read; all mistakes in it.
-pub fn load(input: &str) -> Result<Document, Failure> {
+pub(crate) fn load(input: &str) -> Result<Document, Failure> {
     if input == STANDARD_INPUT {
         return document("<standard input>", &bounded(io::stdin(), "standard input")?);
     }
@@ -111,7 +111,7 @@ pub fn load(input: &str) -> Result<Document, Failure> {
 ///
 /// # Errors
 /// Mistakes in a formula of the catalogue.
-pub fn catalogue() -> Result<Vec<Document>, Failure> {
+pub(crate) fn catalogue() -> Result<Vec<Document>, Failure> {
     hodograph::sources().iter().map(|source| document(&file_name(source.name), source.text.as_bytes())).collect()
 }
 
@@ -119,7 +119,7 @@ pub fn catalogue() -> Result<Vec<Document>, Failure> {
 ///
 /// # Errors
 /// The failures of all inputs together.
-pub fn load_all(inputs: &[String]) -> Result<Vec<Document>, Failure> {
+pub(crate) fn load_all(inputs: &[String]) -> Result<Vec<Document>, Failure> {
     let mut documents = Vec::new();
     let mut failures = Vec::new();
     for input in inputs {

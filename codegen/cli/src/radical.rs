@@ -6,7 +6,7 @@ use hodograph_algebra::{NumberField, Poly, minimize_field};
 
 /// The numbers, each as a sum of products of rationals and nested square roots such as `1/2*sqrt(2)*sqrt(3 + sqrt(2))`:
 /// text that needs no generators, and that the sweep language and any computer-algebra system reads.
-pub fn written(numbers: &[Poly]) -> Vec<String> {
+pub(crate) fn written(numbers: &[Poly]) -> Vec<String> {
     minimize_field(numbers).iter().map(number).collect()
 }
 

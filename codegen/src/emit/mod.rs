@@ -3,6 +3,7 @@
 //! [`module`] gives the documented module of one surface, as the macro expands to; [`format`](format()) lays tokens out as text, and [`standalone`] adds the little of the runtime that the items need.
 
 mod body;
+pub mod latex;
 mod polynomial;
 mod rust;
 mod standalone;

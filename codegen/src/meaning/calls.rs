@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector, cos_pi, exp_i_pi, integer,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector, cos_pi, exp_i_pi, integer,
     rational_root, sin_pi,
 };
 
@@ -348,13 +348,38 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             }
         };
     }
-    rational_root(&value.reduced()).map(Value::Scalar).map_err(|_| {
+    let root = rational_root(&value.reduced()).map_err(|_| {
         let split = value.reduced().numerator().square_split();
         let message = format!("this square root is not a rational function: {} is not a square", split.odd);
         let mut fault = Fault::new(a.span(), message).help("roots of functions must be exact: only squares have them");
         fault.irrational = true;
         fault
-    })
+    })?;
+    nonnegative(scope, &root.lowest_terms(), a.span()).map(Value::Scalar)
+}
+
+/// The one of `root` and `-root` that is not negative on the domain.
+fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, Fault> {
+    let unknown = |why: String, help: &str| {
+        let root = super::expression::shortened(&root.to_string());
+        Err(Fault::new(span, format!("this square root is the absolute value of {root}, and {why}")).help(help))
+    };
+    let mut domain = Vec::new();
+    for variable in root.occurring_variables() {
+        let Some(interval) = scope.domains.get(&variable) else {
+            let help = "write the root itself, with the sign that is meant, or state the domain of the parameter";
+            return unknown(format!("nothing is known of the sign of `{variable}`"), help);
+        };
+        domain.push((variable, interval.clone()));
+    }
+    // A factor and its reciprocal have the same sign.
+    let signed = root.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = signed.fold(root.numerator().clone(), |product, (factor, _)| product * factor);
+    match signed.sign_on(&domain) {
+        Some(BoxSign::Positive | BoxSign::Zero | BoxSign::NonNegative { .. }) => Ok(root.clone()),
+        Some(BoxSign::Negative | BoxSign::NonPositive { .. }) => Ok(-root),
+        _ => unknown("that changes its sign on the domain".to_owned(), "state a smaller domain"),
+    }
 }
 
 /// The rational `q` of an argument `q·π`, for `what` in `cos(q·π)`.

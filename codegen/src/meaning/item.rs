@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use hodograph_algebra::{Curve, Interval, Poly, SweptSurface, Variable, Vector, budget};
+use hodograph_algebra::{Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector, budget};
 
 use super::curves::{self, CurveContext};
 use super::fault::Fault;
@@ -239,6 +239,9 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
         let parameters = super::calls::surface_parameters(scope);
         let domain = |parameter: &Variable| {
             scope.domains.get(parameter).cloned().ok_or_else(|| {
+                if states_domain(item, parameter) {
+                    return Fault::silent(item.name.span);
+                }
                 Fault::new(item.name.span, format!("the domain of `{parameter}` is not stated"))
                     .help(format!("add `domain {parameter} in 0..1;`"))
             })
@@ -328,6 +331,8 @@ fn curve_value(
     if let Value::Curve(curve) = value.bare()
         && curve.parameter() == parameter
     {
+        let components = curve.position().components().iter().chain(curve.hodograph().components());
+        check_own_parameter(scope, parameter, components, span)?;
         return Ok(Value::Curve(curve.clone()));
     }
     let position: Vector = value.vector().ok_or_else(|| {
@@ -339,16 +344,34 @@ fn curve_value(
         let fault = Fault::new(span, format!("{what} must be a vector, but this is {}", value.kind()));
         fault.help("write `x*i + z*k`, `(x, y)` or `(x, y, z)`")
     })?;
-    let foreign = position
-        .components()
-        .iter()
-        .flat_map(|f| f.occurring_variables())
-        .find(|variable| scope.parameters.contains(variable) && variable != parameter);
-    if let Some(foreign) = foreign {
-        let message = format!("this curve of `{parameter}` contains the parameter `{foreign}`");
-        return Err(Fault::new(span, message).help(format!("a curve depends on `{parameter}` alone")));
-    }
+    check_own_parameter(scope, parameter, position.components(), span)?;
     Ok(Value::Curve(curves::curve(scope, parameter, position, Default::default())))
+}
+
+/// Whether the item has a domain for the parameter, be it a wrong one.
+fn states_domain(item: &Item, parameter: &Variable) -> bool {
+    item.clauses.iter().any(|clause| match &clause.kind {
+        ClauseKind::Domain(intervals) => intervals.iter().any(|i| i.parameter.value == parameter.name()),
+        _ => false,
+    })
+}
+
+/// Reports a parameter other than the curve's own, or an unknown function of one.
+fn check_own_parameter<'a>(
+    scope: &Scope,
+    parameter: &Variable,
+    components: impl IntoIterator<Item = &'a Fraction>,
+    span: Span,
+) -> Result<(), Fault> {
+    let occurring = components.into_iter().flat_map(Fraction::occurring_variables);
+    let foreign = |variable: &Variable| {
+        let depends = scope.calculus.parameter_of(variable).unwrap_or(variable);
+        depends != parameter && scope.parameters.contains(depends)
+    };
+    let Some(variable) = occurring.into_iter().find(foreign) else { return Ok(()) };
+    let kind = if scope.parameters.contains(&variable) { "parameter" } else { "function" };
+    let message = format!("this curve of `{parameter}` contains the {kind} `{variable}`");
+    Err(Fault::new(span, message).help(format!("a curve depends on `{parameter}` alone")))
 }
 
 fn parameter(scope: &Scope, name: &Name) -> Result<Variable, Fault> {
@@ -384,6 +407,8 @@ fn poison(scope: &mut Scope, clause: &Clause) {
         ClauseKind::Let(definition) => vec![&definition.name],
         ClauseKind::Curve(curve) => vec![&curve.name],
         ClauseKind::Surface(surface) => vec![&surface.name],
+        ClauseKind::Symbol(names) => names.iter().collect(),
+        ClauseKind::Function(functions) => functions.iter().map(|function| &function.name).collect(),
         _ => return,
     };
     for name in names {
@@ -464,11 +489,16 @@ impl Model {
     /// For what a finding holds, in words.
     fn scope_of(&self, finding: &Finding) -> String {
         let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
-        for variable in &finding.variables {
+        let is_unknown = |variable: &&Variable| !self.scope.parameters.contains(variable);
+        let mut unknowns: Vec<Variable> = finding.variables.iter().filter(is_unknown).cloned().collect();
+        // Where all unknowns cancel, the finding is about each of them.
+        if finding.variables.is_empty() && self.kind == ItemKind::Lemma {
+            unknowns = self.scope.unknowns();
+        }
+        for variable in &unknowns {
             match self.scope.owner(variable) {
                 Some((name, true)) => curves.push(name),
                 Some((name, false)) => functions.push(name),
-                None if self.scope.parameters.contains(variable) => {}
                 None => symbols.push(variable.name()),
             }
         }

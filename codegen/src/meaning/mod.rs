@@ -6,6 +6,7 @@ mod expression;
 mod fault;
 mod item;
 mod members;
+mod number;
 mod relation;
 mod scope;
 mod value;
@@ -13,3 +14,4 @@ mod witness;
 
 pub use expression::MAX_EXPONENT;
 pub use item::{Judgement, Model, models};
+pub use number::number;

@@ -29,7 +29,7 @@ pub fn number(name: &str, role: &str, text: &str) -> Result<Poly, Box<Report>> {
     };
     value.map_err(|fault| {
         let mut diagnostics = Diagnostics::new();
-        diagnostics.push(fault.diagnostic);
+        diagnostics.push(*fault.diagnostic);
         Box::new(Report::new(source, diagnostics))
     })
 }

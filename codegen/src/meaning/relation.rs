@@ -175,7 +175,8 @@ fn degrees(value: &Value) -> Option<Vec<i64>> {
 
 fn equality(scope: &Scope, left: &Expr, a: &Value, right: &Expr, b: &Value) -> Result<Finding, Fault> {
     let (a, b) = if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
-        (vec![a.re, a.im], vec![b.re, b.im])
+        let real = a.im.is_zero() && b.im.is_zero();
+        if real { (vec![a.re], vec![b.re]) } else { (vec![a.re, a.im], vec![b.re, b.im]) }
     } else {
         let mixed = || {
             let message = format!("{} is compared with {}", a.kind(), b.kind());
@@ -266,7 +267,7 @@ fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
                     Ok(Finding::new(true, format!("rational, of degree {degree}")).about(surface.position().components()))
                 }
                 Err(error @ OffsetError::SymbolicRadical { radicand }) => {
-                    Ok(Finding::new(true, error.to_string()).about_variables(radicand.occurring_variables()))
+                    Ok(Finding::new(true, error.to_string()).about_variables(radicand.occurring_variables().into_iter().chain(scope.symbols.iter().cloned())))
                 }
                 Err(error @ OffsetError::Irrational { .. }) => {
                     Ok(Finding::new(false, error.to_string()).about_variables(scope.symbols.iter().cloned()))

@@ -176,6 +176,13 @@ impl Scope {
         declared.max_by_key(|(name, _)| name.len())
     }
 
+    /// All unknown constants and functions.
+    pub(super) fn unknowns(&self) -> Vec<Variable> {
+        let functions = self.values.keys().map(|name| Variable::new(Variable::SYMBOL, name));
+        let functions = functions.filter(|variable| self.calculus.is_function(variable));
+        self.symbols.iter().cloned().chain(functions).collect()
+    }
+
     /// Marks a name whose definition failed: what uses it is not reported again.
     pub(super) fn poison(&mut self, name: &Name) {
         self.poisoned.insert(name.value.clone());

@@ -127,7 +127,7 @@ fn sweep<'a>(derived: &'a Derived<'_>) -> Sweep<'a> {
                 Offset::Rational(offset) => Some(coordinates(offset)),
                 _ => None,
             },
-            reason: offset_reason(derivation),
+            reason: offset_reason(derivation, Poly::to_string),
         },
         control_net: Some(Net {
             degree: net.degree,

@@ -7,7 +7,7 @@ mod text;
 
 use std::process::ExitCode;
 
-use hodograph_algebra::{Derivation, Offset, budget};
+use hodograph_algebra::{Derivation, Offset, Poly, budget};
 use hodograph_codegen::language::Diagnostic;
 use hodograph_codegen::language::ast::Item;
 use hodograph_codegen::meaning::Model;
@@ -16,14 +16,13 @@ use crate::args::{DeriveArguments, DeriveFormat};
 use crate::console::{self, Progress};
 use crate::failure::Failure;
 use crate::input::{self, Document};
-use crate::layout;
 
 /// How many significant digits the approximations of the field's generators have.
 const APPROXIMATION_DIGITS: u32 = 20;
 
 /// A sweep with what follows from its formula.
 #[derive(Debug)]
-pub struct Derived<'a> {
+pub(crate) struct Derived<'a> {
     /// The sweep as it is written.
     item: &'a Item,
     /// What it means.
@@ -36,7 +35,7 @@ pub struct Derived<'a> {
 ///
 /// # Errors
 /// Bad input; a surface that cannot be derived.
-pub fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
+pub(crate) fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
     let document = input::load(&arguments.input.input)?;
     let sweeps = document.sweeps(arguments.input.sweep.as_deref())?;
     let progress = Progress::new();
@@ -45,12 +44,15 @@ pub fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
         progress.show(&format!("deriving {}", model.name));
         all.push(derived(&document, model)?);
     }
-    drop(progress);
-    console::print(&match arguments.format {
+    // Factors for people are found by gcds.
+    let output = budget::with_budget(budget::DEFAULT_LIMIT, || match arguments.format {
         DeriveFormat::Text => all.iter().map(text::output).collect::<Vec<_>>().join("\n"),
         DeriveFormat::Json => json::output(&all),
         DeriveFormat::Latex => latex::output(&all),
-    })?;
+    });
+    drop(progress);
+    let exhausted = |error: budget::Exhausted| Failure::new(error.to_string()).help("`--format json` needs less work");
+    console::print(&output.map_err(exhausted)?)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -67,24 +69,16 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
     Ok(Derived { item, model, derivation })
 }
 
-/// Why the offset is rational, or not, in a sentence.
-fn offset_reason(derivation: &Derivation) -> String {
-    let split = derivation.normal.split();
+/// Why the offset is rational, or not, in a sentence; `show` writes polynomials.
+fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> String {
     match &derivation.offset {
-        Offset::Rational(_) if split.unit.is_one() => {
-            format!("|N|^2 is the square of {}", layout::polynomial(&split.root))
-        }
-        Offset::Rational(_) => {
-            let (unit, root) = (layout::polynomial(&split.unit), layout::polynomial(&split.root));
-            format!("|N|^2 is a positive number times a square: ({unit})*({root})^2")
+        Offset::Irrational { odd } => {
+            format!("|N|^2 contains the factor {} to an odd power, so it is no square", show(odd))
         }
         Offset::SymbolicRadical { radicand } => {
-            let radicand = layout::polynomial(radicand);
-            format!("rational in the parameters, over the square root of {radicand}, which depends on the symbols alone")
+            format!("|N| contains the square root of {}, which depends on the symbols alone", show(radicand))
         }
-        Offset::Irrational { odd } => {
-            format!("|N|^2 contains the factor {} to an odd power, so it is no square", layout::polynomial(odd))
-        }
-        other => format!("rational: {}", other.is_rational()),
+        _ if derivation.normal.split().unit.is_one() => "|N|^2 is the square of a polynomial".to_owned(),
+        _ => "|N|^2 is the square of a polynomial, times a positive number".to_owned(),
     }
 }

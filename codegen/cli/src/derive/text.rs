@@ -1,16 +1,19 @@
 //! Derivations for people.
 
-use hodograph_algebra::{Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{Bidegree, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
 
 use super::factors::Factors;
 use super::{APPROXIMATION_DIGITS, Derived, offset_reason};
 use crate::decimal::significant;
 use crate::layout::{cut, is_short, polynomial, product, wrapped};
 
-/// How many characters a control point may take; where one needs more, points are only counted.
-const LONGEST_POINT: usize = 160;
+/// How many characters an exact control point may take; numbers that need more are shown as decimals.
+const LONGEST_POINT: usize = 85;
 
-/// How many characters of a rational function are printed.
+/// How many significant digits these decimals have.
+const POINT_DIGITS: u32 = 12;
+
+/// How many characters of the description of a zero are printed.
 const LONGEST: usize = 600;
 
 /// Everything that is derived of one sweep.
@@ -21,8 +24,9 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
     if let Some(source) = &model.source {
         page.item("", source);
     }
-    for line in &model.docs {
-        page.item("", line);
+    for paragraph in model.docs.split(String::is_empty).filter(|lines| !lines.is_empty()) {
+        page.line("");
+        page.item("", &paragraph.join(" "));
     }
     page.title("Formula");
     for clause in &model.formula {
@@ -35,9 +39,14 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
     normal(&mut page, derivation);
     page.title("Parametric speeds");
     for (name, speed) in ["|R_u|", "|R_v|"].iter().zip(&derivation.speeds) {
-        let text = speed.to_string();
-        page.shortened |= text.len() > LONGEST;
-        page.item(&format!("{name} = "), &cut(&text, LONGEST));
+        let (function, value) = match &speed.root {
+            Some(root) if speed.certified || root.is_zero() => ("", root),
+            Some(root) => ("abs", root),
+            None => ("sqrt", &speed.squared),
+        };
+        let value = page.fraction(value, &derivation.parameters);
+        let value = if function.is_empty() { value } else { format!("{function}({value})") };
+        page.item(&format!("{name} = "), &value);
     }
     singular(&mut page, derivation);
     offset(&mut page, derivation);
@@ -80,6 +89,19 @@ impl Page {
         self.shortened |= !factors.factors.iter().all(|(factor, _)| is_short(factor));
         self.item(first, &product(&factors.unit, &factors.factors));
     }
+
+    /// A rational function with numerator and denominator as products.
+    fn fraction(&mut self, fraction: &Fraction, parameters: &[Variable; 2]) -> String {
+        let lowest = fraction.lowest_terms();
+        let numerator = Factors::of(lowest.numerator(), parameters);
+        self.shortened |= !numerator.factors.iter().chain(lowest.factors()).all(|(factor, _)| is_short(factor));
+        let above = product(&numerator.unit, &numerator.factors);
+        match lowest.factors() {
+            [] => above,
+            factors if above.contains([' ', '/', '*']) => format!("({above}) / ({})", product(&Poly::one(), factors)),
+            factors => format!("{above} / ({})", product(&Poly::one(), factors)),
+        }
+    }
 }
 
 fn degrees(page: &mut Page, homogeneous: &Homogeneous) {
@@ -87,20 +109,24 @@ fn degrees(page: &mut Page, homogeneous: &Homogeneous) {
     page.title(&format!("Degrees in ({u}, {v})"));
     let [w, x, y, z] = homogeneous.coordinates().each_ref();
     let group = |a: &Poly, b: &Poly| {
-        hodograph_algebra::Bidegree::of_group([a, b], homogeneous.parameters()).to_string()
+        Bidegree::of_group([a, b], homogeneous.parameters()).to_string()
     };
-    let each = Homogeneous::NAMES.iter().zip(homogeneous.degrees());
-    let each: Vec<String> = each.map(|(name, degree)| format!("{name} {degree}")).collect();
-    page.item("each      ", &each.join(", "));
+    page.item("each      ", &named(homogeneous.degrees()));
     page.item("together  ", &format!("W and Z {}, X and Y {}", group(w, z), group(x, y)));
     page.item("patch     ", &homogeneous.degree().to_string());
     let factor = homogeneous.common_factor();
     let removed = if factor.is_constant() {
-        "without a common factor".to_owned()
+        "no common factor".to_owned()
     } else {
         format!("with the common factor {}", polynomial(factor))
     };
-    page.item("raw       ", &format!("{}, {removed}", homogeneous.raw_degree()));
+    page.item("raw       ", &format!("{}, patch {}, {removed}", named(homogeneous.raw_degrees()), homogeneous.raw_degree()));
+}
+
+/// The degrees of W, X, Y and Z.
+fn named(degrees: [Bidegree; 4]) -> String {
+    let named = Homogeneous::NAMES.iter().zip(degrees).map(|(name, degree)| format!("{name} {degree}"));
+    named.collect::<Vec<_>>().join(", ")
 }
 
 fn field(page: &mut Page, derivation: &Derivation) {
@@ -128,24 +154,13 @@ fn normal(page: &mut Page, derivation: &Derivation) {
     for (name, component) in ["N_x", "N_y", "N_z"].iter().zip(normal.numerator()) {
         page.product(&format!("{name} = "), &Factors::of(component, &derivation.parameters));
     }
-    fraction(page, "c = ", normal.factor(), &derivation.parameters);
+    let factor = page.fraction(normal.factor(), &derivation.parameters);
+    page.item("c = ", &factor);
     let split = normal.split();
     let squares = [(normal.radicand(), 1), (&split.root, 2), (&split.odd, 1)];
     let factors = squares.into_iter().filter(|(factor, _)| !factor.is_one());
     let factors = factors.map(|(factor, exponent)| (factor.clone(), exponent)).collect();
     page.product("|N|^2 = ", &Factors { unit: split.unit.clone(), factors });
-}
-
-fn fraction(page: &mut Page, first: &str, fraction: &Fraction, parameters: &[Variable; 2]) {
-    let lowest = fraction.lowest_terms();
-    let numerator = Factors::of(lowest.numerator(), parameters);
-    page.shortened |= !numerator.factors.iter().chain(lowest.factors()).all(|(factor, _)| is_short(factor));
-    let above = product(&numerator.unit, &numerator.factors);
-    let text = match lowest.factors() {
-        [] => above,
-        factors => format!("({above}) / ({})", product(&Poly::one(), factors)),
-    };
-    page.item(first, &text);
 }
 
 fn singular(page: &mut Page, derivation: &Derivation) {
@@ -156,18 +171,18 @@ fn singular(page: &mut Page, derivation: &Derivation) {
     }
     for zero in &derivation.singular_zeros {
         page.shortened |= zero.len() > LONGEST;
-        page.item("no normal at ", &cut(zero, LONGEST));
+        // What is not determined is no equation.
+        let first = if zero.contains('=') { "no normal where " } else { "" };
+        page.item(first, &cut(zero, LONGEST));
     }
 }
 
 fn offset(page: &mut Page, derivation: &Derivation) {
     page.title(&format!("Offset at the distance {}", derivation.distance));
     let answer = if derivation.offset.is_rational() { "rational: " } else { "not rational: " };
-    page.item(answer, &cut(&offset_reason(derivation), 2 * LONGEST));
+    page.item(answer, &offset_reason(derivation, polynomial));
     if let Offset::Rational(offset) = &derivation.offset {
-        let degrees: Vec<String> =
-            Homogeneous::NAMES.iter().zip(offset.degrees()).map(|(name, degree)| format!("{name} {degree}")).collect();
-        page.item("degrees ", &format!("{}, patch {}", degrees.join(", "), offset.degree()));
+        page.item("degrees ", &format!("{}, patch {}", named(offset.degrees()), offset.degree()));
         coordinates(page, offset);
     }
 }
@@ -178,9 +193,16 @@ fn control_net(page: &mut Page, derivation: &Derivation) {
     page.title(&format!("Control net of degree ({m}, {n}), points (W, X, Y, Z) over the domain"));
     for (i, row) in net.points.iter().enumerate() {
         for (j, point) in row.iter().enumerate() {
-            let point = format!("({})", point.each_ref().map(Poly::to_string).join(", "));
-            page.shortened |= point.len() > LONGEST_POINT;
-            page.item(&format!("b[{i},{j}] = "), &cut(&point, LONGEST_POINT));
+            let exact = format!("({})", point.each_ref().map(Poly::to_string).join(", "));
+            let is_short = exact.len() <= LONGEST_POINT;
+            page.shortened |= !is_short;
+            let name = format!("b[{i},{j}]");
+            if !is_short && point.iter().all(Poly::is_constant) {
+                let near = point.each_ref().map(|number| significant(number, POINT_DIGITS));
+                page.item(&format!("{name} ≈ "), &format!("({})", near.join(", ")));
+            } else {
+                page.item(&format!("{name} = "), &cut(&exact, LONGEST_POINT));
+            }
         }
     }
 }

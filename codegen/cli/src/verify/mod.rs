@@ -24,7 +24,7 @@ const UNDECIDED: u8 = 3;
 
 /// A sweep or a lemma with the verdicts on its claims.
 #[derive(Debug)]
-pub struct Entry {
+pub(crate) struct Entry {
     kind: ItemKind,
     name: String,
     source: Option<String>,
@@ -44,7 +44,7 @@ struct Degrees {
 ///
 /// # Errors
 /// Bad input, mistakes in claims included.
-pub fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
+pub(crate) fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let documents =
         if arguments.inputs.is_empty() { input::catalogue()? } else { input::load_all(&arguments.inputs)? };
@@ -83,7 +83,7 @@ fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
     for claim in &model.claims {
         match model.check(claim, budget::DEFAULT_LIMIT) {
             Ok(judgement) => judgements.push(judgement),
-            Err(diagnostic) => diagnostics.push(diagnostic),
+            Err(diagnostic) => diagnostics.push(*diagnostic),
         }
     }
     Entry { kind: model.kind, name: model.name.clone(), source: model.source.clone(), degrees, judgements }

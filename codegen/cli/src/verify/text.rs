@@ -1,7 +1,6 @@
 //! Verdicts for people.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::time::Duration;
 
 use hodograph_codegen::language::ast::{ItemKind, Verdict};
@@ -13,29 +12,32 @@ use crate::layout::{cut, wrapped};
 /// How many characters of a derived value or a witness are shown.
 const LONGEST: usize = 240;
 
-/// The width of the column of ids.
-const ID: usize = 16;
+/// The width of the column of ids, at least and at most.
+const ID: [usize; 2] = [8, 24];
+
+/// The width of the column of names of sweeps, at least and at most.
+const NAME: [usize; 2] = [5, 44];
 
 /// The table of sweeps, the verdicts by sweep and lemma, and the summary.
 pub(super) fn output(entries: &[Entry], time: Duration) -> String {
     let mut parts = Vec::new();
     parts.extend(table(entries));
-    parts.extend(entries.iter().filter(|entry| !entry.judgements.is_empty()).map(claims));
-    parts.push(summary(entries, time));
+    let ids = entries.iter().flat_map(|entry| &entry.judgements).map(|judgement| judgement.id.chars().count());
+    let id = ids.max().unwrap_or(0).clamp(ID[0], ID[1]);
+    parts.extend(entries.iter().filter(|entry| !entry.judgements.is_empty()).map(|entry| claims(entry, id)));
+    parts.push(summary(entries, id, time));
     parts.join("\n")
 }
 
 /// The degrees of all sweeps; nothing if there are none.
 fn table(entries: &[Entry]) -> Option<String> {
     let sweeps: Vec<&Entry> = entries.iter().filter(|entry| entry.kind == ItemKind::Sweep).collect();
-    let width = sweeps.iter().map(|entry| entry.name.chars().count()).max()?.clamp(5, 40);
+    let width = sweeps.iter().map(|entry| entry.name.chars().count()).max()?.clamp(NAME[0], NAME[1]);
     let row = |name: &str, cells: [String; 7]| {
-        let mut line = format!("{name:<width$}");
-        for cell in cells {
-            // Writing to a string does not fail.
-            let _ = write!(line, " {cell:<8}");
-        }
-        format!("{}\n", line.trim_end())
+        // A name that is too long has a line of its own.
+        let (above, name) = if name.chars().count() > width { (format!("{name}\n"), "") } else { (String::new(), name) };
+        let cells = cells.map(|cell| format!(" {cell:<7}")).concat();
+        format!("{above}{}\n", format!("{name:<width$}{cells}").trim_end())
     };
     let mut text = row("sweep", ["W", "X", "Y", "Z", "patch", "raw", "claims"].map(str::to_owned));
     for entry in sweeps {
@@ -57,19 +59,20 @@ fn table(entries: &[Entry]) -> Option<String> {
     Some(text)
 }
 
-fn claims(entry: &Entry) -> String {
+/// The verdicts on the claims of a sweep or lemma; `id` is the width of the column of ids.
+fn claims(entry: &Entry, id: usize) -> String {
     let mut text = match &entry.source {
         Some(source) => wrapped(&format!("{} {}: ", entry.kind, entry.name), source),
         None => format!("{} {}", entry.kind, entry.name),
     };
     text.push('\n');
     for judgement in &entry.judgements {
-        text += &claim(judgement);
+        text += &claim(judgement, id);
     }
     text
 }
 
-fn claim(judgement: &Judgement) -> String {
+fn claim(judgement: &Judgement, id: usize) -> String {
     let as_expected = expected(judgement);
     let mark = if as_expected { ' ' } else { '!' };
     let symbol = match judgement.verdict {
@@ -79,12 +82,12 @@ fn claim(judgement: &Judgement) -> String {
     };
     let condition = judgement.condition.as_ref().map_or_else(String::new, |c| format!(" when {c}"));
     let mut text = wrapped(
-        &format!("{mark} {symbol} {:<ID$} ", judgement.id),
+        &format!("{mark} {symbol} {:<id$} ", judgement.id),
         &format!("{}{condition}", judgement.statement),
     );
     text.push('\n');
     let mut detail = |title: &str, value: &str| {
-        text += &wrapped(&format!("{:20} {title}: ", ""), &cut(value, LONGEST));
+        text += &wrapped(&format!("{:width$}{title}: ", "", width = id + 5), &cut(value, LONGEST));
         text.push('\n');
     };
     if as_expected && judgement.verdict == Verdict::Proved {
@@ -105,7 +108,7 @@ fn claim(judgement: &Judgement) -> String {
     text
 }
 
-fn summary(entries: &[Entry], time: Duration) -> String {
+fn summary(entries: &[Entry], id: usize, time: Duration) -> String {
     let all: Vec<&Judgement> = entries.iter().flat_map(|entry| &entry.judgements).collect();
     let sweeps = entries.iter().filter(|entry| entry.kind == ItemKind::Sweep).count();
     let lemmas = entries.len() - sweeps;
@@ -127,7 +130,7 @@ fn summary(entries: &[Entry], time: Duration) -> String {
         let verb = if wrong.len() == 1 { "is" } else { "are" };
         text += &format!("{} {verb} not as expected (marked with !), in {}\n", counted(wrong.len(), "clause"), seconds(time));
         for judgement in wrong {
-            let first = format!("! {:<ID$}   ", judgement.id);
+            let first = format!("! {:<id$} ", judgement.id);
             let what = format!("{}, expected {}, in {}", judgement.verdict, judgement.expected, judgement.sweep);
             text += &wrapped(&first, &what);
             text.push('\n');
@@ -187,18 +190,18 @@ mod tests {
         let text = output(&[entry(vec![judgement("a", Refuted, Proved), judgement("b", Proved, Proved)])], Duration::ZERO);
         let expected = "\
 lemma s
-! ✗ a                degree(X) == (2, 9)
-                     refuted: expected proved
-                     derived: (2, 8)
-                     witness: u = 1/2: left 1, right 2
-                     holds for: the sweep s
-                     note: a note
-  ✓ b                degree(X) == (2, 9)
+! ✗ a        degree(X) == (2, 9)
+             refuted: expected proved
+             derived: (2, 8)
+             witness: u = 1/2: left 1, right 2
+             holds for: the sweep s
+             note: a note
+  ✓ b        degree(X) == (2, 9)
 
 0 sweeps and 1 lemma: 2 clauses, 1 proved, 1 refuted, 0 undecided
 by id: 2 claims, 1 proved, 1 refuted, 0 undecided
 1 clause is not as expected (marked with !), in 0.0 s
-! a                  refuted, expected proved, in s
+! a        refuted, expected proved, in s
 ";
         assert_eq!(text, expected);
     }
@@ -207,7 +210,7 @@ by id: 2 claims, 1 proved, 1 refuted, 0 undecided
     fn long_values_are_cut() {
         let mut long = judgement("a", Refuted, Refuted);
         long.derived = vec!["u^2*v^3"; 200].join(" + ");
-        let text = claim(&long);
+        let text = claim(&long, 8);
         assert!(text.lines().all(|line| line.chars().count() <= crate::layout::WIDTH), "{text}");
         assert!(text.contains('…'));
     }

@@ -1,0 +1,148 @@
+//! `hodograph eval`: a surface at a point.
+
+mod place;
+mod quantity;
+
+use std::process::ExitCode;
+
+use hodograph_algebra::{Poly, SweptSurface, Variable, budget};
+use hodograph_codegen::language::closest;
+use hodograph_codegen::meaning::{Model, number};
+use serde::Serialize;
+
+use crate::args::{EvalArguments, Format, Quantity};
+use crate::console;
+use crate::decimal::significant;
+use crate::failure::Failure;
+use crate::input;
+use crate::layout;
+use crate::radical;
+use place::Place;
+
+/// The result for programs.
+#[derive(Serialize)]
+struct Output<'a> {
+    schema: u32,
+    sweep: &'a str,
+    u: String,
+    v: String,
+    what: String,
+    exact: Option<Vec<String>>,
+    decimal: Vec<String>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Bad input; symbols without a value; a pole or a singular point.
+pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
+    let document = input::load(&arguments.input.input)?;
+    let model = document.sweep(arguments.input.sweep.as_deref())?;
+    let surface = model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
+    let parameters = [
+        number("--u", "the first parameter", &arguments.u)?,
+        number("--v", "the second parameter", &arguments.v)?,
+    ];
+    let settings = settings(&arguments.set)?;
+    let symbols = surface.symbols();
+    let distance = quantity::distance(surface, arguments.what);
+    let distance = check(model, &symbols, distance, &settings)?;
+    let values = symbols.into_iter().zip(&settings).map(|(symbol, _)| symbol);
+    let values = values.filter_map(|symbol| Some((symbol.clone(), find(&settings, &symbol)?.clone()))).collect();
+    note_outside(surface, &parameters);
+
+    let computed = budget::with_budget(budget::DEFAULT_LIMIT, || {
+        let place = Place::new(surface, &values, &parameters)?;
+        let numbers = quantity::evaluate(&place, arguments.what, distance.as_ref())?;
+        let decimal: Vec<String> = numbers.iter().map(|number| significant(number, arguments.digits)).collect();
+        Ok::<_, Failure>((numbers, decimal))
+    });
+    let exhausted = |error: budget::Exhausted| Failure::new(error.to_string()).help("use simpler numbers or fewer digits");
+    let (numbers, decimal) = computed.map_err(exhausted)??;
+    let [u, v] = parameters.map(|parameter| radical::written(&[parameter]).concat());
+    // Writing a number over the smallest field may cost more than the number itself; its decimals are there anyway.
+    let exact = budget::with_budget(budget::DEFAULT_LIMIT, || radical::written(&numbers)).ok();
+    let result = Output { schema: 1, sweep: &model.name, u, v, what: arguments.what.name(), exact, decimal };
+    console::print(&match arguments.format {
+        Format::Json => layout::json(&result),
+        Format::Text => text(&result, surface.parameters(), arguments.what),
+    })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The values of `--set`.
+fn settings(set: &[String]) -> Result<Vec<(String, Poly)>, Failure> {
+    let mut settings: Vec<(String, Poly)> = Vec::new();
+    for setting in set {
+        let Some((name, value)) = setting.split_once('=') else {
+            let failure = Failure::new(format!("--set {setting} does not say a value"));
+            return Err(failure.help("write `--set a0=1/2`"));
+        };
+        let name = name.trim();
+        if settings.iter().any(|(known, _)| known == name) {
+            return Err(Failure::new(format!("--set gives `{name}` two values")));
+        }
+        let value = number(&format!("--set {name}"), &format!("the value of {name}"), value)?;
+        settings.push((name.to_owned(), value));
+    }
+    Ok(settings)
+}
+
+/// Checks that every symbol, and nothing else, has a value; gives that of the distance, if one is needed.
+fn check(
+    model: &Model,
+    symbols: &[Variable],
+    distance: Option<Variable>,
+    settings: &[(String, Poly)],
+) -> Result<Option<Poly>, Failure> {
+    let needed: Vec<&Variable> = symbols.iter().chain(&distance).collect();
+    let names: Vec<&str> = needed.iter().map(|symbol| symbol.name()).collect();
+    for (name, _) in settings {
+        if !names.contains(&name.as_str()) {
+            let failure = Failure::new(format!("`{}` has no symbol `{name}`", model.name));
+            return Err(failure.help(match closest(name, names.iter().copied()) {
+                Some(similar) => format!("did you mean `{similar}`?"),
+                None if names.is_empty() => "it has no symbols at all".to_owned(),
+                None => format!("it has {}", names.join(", ")),
+            }));
+        }
+    }
+    let missing: Vec<&str> =
+        needed.iter().filter(|symbol| find(settings, symbol).is_none()).map(|symbol| symbol.name()).collect();
+    if !missing.is_empty() {
+        let what = if missing.len() == 1 { "a value" } else { "values" };
+        let failure = Failure::new(format!("`{}` needs {what} for {}", model.name, missing.join(", ")));
+        return Err(failure.help(missing.iter().map(|name| format!("--set {name}=1")).collect::<Vec<_>>().join(" ")));
+    }
+    Ok(distance.and_then(|distance| find(settings, &distance).cloned()))
+}
+
+fn find<'a>(settings: &'a [(String, Poly)], symbol: &Variable) -> Option<&'a Poly> {
+    settings.iter().find(|(name, _)| name == symbol.name()).map(|(_, value)| value)
+}
+
+/// Says so if a parameter lies outside of the domain.
+fn note_outside(surface: &SweptSurface, values: &[Poly; 2]) {
+    for ((parameter, interval), value) in surface.parameters().iter().zip(surface.domain()).zip(values) {
+        if !interval.contains(value) {
+            let [lower, upper] = [interval.lower(), interval.upper()].map(|end| radical::written(&[end.clone()]).concat());
+            console::note(&format!("{parameter} = {value} lies outside of the domain {lower}..{upper}"));
+        }
+    }
+}
+
+fn text(result: &Output<'_>, parameters: &[Variable; 2], what: Quantity) -> String {
+    let [u, v] = parameters;
+    let mut text = format!("{} of {} at {u} = {}, {v} = {}\n", result.what, result.sweep, result.u, result.v);
+    for (index, (name, decimal)) in what.components().iter().zip(&result.decimal).enumerate() {
+        let exact = result.exact.as_ref().and_then(|exact| exact.get(index));
+        match exact.filter(|exact| *exact != decimal) {
+            Some(exact) => {
+                text += &layout::wrapped(&format!("  {name} = "), exact);
+                text += &format!("\n  {:width$} ≈ {decimal}\n", "", width = name.len());
+            }
+            None => text += &format!("  {name} = {decimal}\n"),
+        }
+    }
+    text
+}
