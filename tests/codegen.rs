@@ -1,1 +1,209 @@
-fn main(){}
+//! The code that is generated for the catalogue: what it reads like, that all doors give the same, that it compiles, and
+//! that every program is proved.
+
+use std::path::Path;
+
+use hodograph_algebra::{Poly, Variable};
+use hodograph_codegen::compile::{compile, exact_program, expand};
+use hodograph_codegen::emit::{Artifact, format, module, standalone};
+use hodograph_codegen::expansion;
+use hodograph_codegen::language::parse_macro;
+use hodograph_codegen::program::Program;
+use hodograph_codegen::schedule::{Derived, Mismatch, check, outputs};
+use hodograph_tests::build::{built, rustc};
+use hodograph_tests::catalogue::{Entry, entries, files};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Compares with `snapshots/codegen__NAME.snap`.
+fn compare(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+fn artifacts() -> Vec<Artifact> {
+    let artifacts: Vec<Artifact> = entries().iter().map(|entry| compile(&entry.model).unwrap()).collect();
+    assert!(!artifacts.is_empty());
+    artifacts
+}
+
+/// The text of all modules over the package `hodograph`.
+fn over_the_package(artifacts: &[Artifact]) -> String {
+    let modules = artifacts.iter().map(|artifact| module(artifact, &quote!(::hodograph)));
+    format(quote!(#(#modules)*)).unwrap()
+}
+
+#[test]
+fn expansions_read_as_recorded() {
+    for artifact in artifacts() {
+        compare(&artifact.name, &over_the_package(std::slice::from_ref(&artifact)));
+    }
+}
+
+#[test]
+fn programs_read_as_recorded() {
+    for artifact in artifacts() {
+        compare(&format!("{}_program", artifact.name), &artifact.program.to_string());
+    }
+}
+
+#[test]
+fn every_door_gives_the_same_code() {
+    for formulas in files().into_iter().filter(|formulas| formulas.is_expanded()) {
+        let stem = &formulas.stem;
+        let (from_text, diagnostics) = expand(&formulas.file);
+        assert!(diagnostics.is_empty(), "{stem}");
+        let from_text = format(from_text).unwrap();
+
+        let tokens: TokenStream = formulas.text.parse().unwrap();
+        let (file, _) = parse_macro(tokens.clone()).unwrap();
+        assert_eq!(format(expand(&file).0).unwrap(), from_text, "{stem}");
+        assert_eq!(format(expansion::sweep(tokens)).unwrap(), from_text, "{stem}");
+
+        // The macro's other form, which has the compiler watch the file.
+        let path = format!("../generated/formulas/{stem}.sweep");
+        let from_file = format(expansion::sweep(quote!(file = #path))).unwrap();
+        let (watch, code) = from_file.split_once("\n);\n").unwrap_or_else(|| panic!("{from_file}"));
+        assert!(watch.contains("include_bytes!"), "{watch}");
+        assert_eq!(code, from_text, "{stem}");
+    }
+}
+
+/// Runs rustc on `text` in a folder of its own with warnings denied; its messages if it fails.
+fn compiles(folder: &Path, text: &str, arguments: &[&str]) -> Result<(), String> {
+    let lints = ["-Dwarnings", "-Dmissing_docs", "-Dunsafe_code", "-Dunused", "-Drust_2018_idioms"];
+    let file = folder.join("emitted.rs");
+    std::fs::write(&file, text).unwrap();
+    let output =
+        rustc().current_dir(folder).args(["--edition", "2024"]).args(lints).args(arguments).arg(&file).output();
+    let output = output.unwrap();
+    if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
+}
+
+#[test]
+fn emitted_code_compiles_against_the_library_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let built = built();
+    let text = std::format!("//! Surfaces.\n#![no_std]\n{}", over_the_package(&artifacts()));
+    let library = std::format!("hodograph={}", built.library.display());
+    let dependencies = std::format!("dependency={}", built.dependencies.display());
+    let arguments = ["--crate-type", "lib", "--emit", "metadata", "--extern", &library, "-L", &dependencies];
+    assert_eq!(compiles(folder.path(), &text, &arguments), Ok(()));
+    let wrong = text.replace("::hodograph::Surface for", "::hodograph::Curve for");
+    assert!(compiles(folder.path(), &wrong, &arguments).is_err_and(|message| message.contains("Curve")));
+}
+
+/// Parameters at which a standalone program prints its points.
+const PLACES: [(f64, f64); 5] = [(0.0, 0.0), (1.0, 1.0), (0.25, 0.75), (0.1, 0.9), (1.0 / 3.0, 0.7)];
+
+#[test]
+fn standalone_code_needs_nothing_and_gives_the_same_bits() {
+    let folder = tempfile::tempdir().unwrap();
+    let artifacts = artifacts();
+    let text = standalone(&artifacts).unwrap();
+    assert!(!text.contains("hodograph"), "the text names the package");
+    let library = std::format!("//! Surfaces.\n{text}");
+    assert_eq!(compiles(folder.path(), &library, &["--crate-type", "lib", "--emit", "metadata"]), Ok(()));
+
+    // The same text as a program that prints the bits of points and normals.
+    let surfaces = artifacts.iter().map(|artifact| {
+        let name: TokenStream = artifact.name.parse().unwrap();
+        let kind: TokenStream = hodograph_codegen_type(&artifact.name).parse().unwrap();
+        quote!(&#name::#kind)
+    });
+    let places = PLACES.map(|(u, v)| quote!((#u, #v)));
+    let main = quote! {
+        fn main() {
+            let surfaces: &[&dyn runtime::Surface] = &[#(#surfaces),*];
+            for surface in surfaces {
+                for (u, v) in [#(#places),*] {
+                    let normal = surface.unit_normal(u, v).regular().map(|normal| normal.map(f64::to_bits));
+                    println!("{} {:?} {:?}", surface.name(), surface.point(u, v).map(f64::to_bits), normal);
+                }
+            }
+        }
+    };
+    let program = std::format!("//! A program.\n{text}\n{}", format(main).unwrap());
+    assert_eq!(compiles(folder.path(), &program, &["-Adead_code", "--crate-name", "emitted", "-o", "emitted"]), Ok(()));
+    let output = std::process::Command::new(folder.path().join("emitted")).output().unwrap();
+    assert!(output.status.success());
+    let mut expected = String::new();
+    for artifact in &artifacts {
+        let surface = hodograph::catalogue::all().iter().find(|surface| surface.name() == artifact.name);
+        let surface = surface.unwrap_or_else(|| panic!("{} has no evaluator", artifact.name));
+        for (u, v) in PLACES {
+            let normal = surface.unit_normal(u, v).regular().map(|normal| normal.map(f64::to_bits));
+            let point = surface.point(u, v).map(f64::to_bits);
+            expected.push_str(&std::format!("{} {point:?} {normal:?}\n", surface.name()));
+        }
+    }
+    assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
+}
+
+/// The name of the type of a surface, as the modules have it: `a_name` as `AName`.
+fn hodograph_codegen_type(name: &str) -> String {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    name.split('_').map(capital).collect()
+}
+
+/// Proves a program of an entry.
+fn prove(entry: &Entry, program: &Program<Poly>) -> Result<(), Mismatch> {
+    let derivation = &entry.derivation;
+    let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
+    let zero = hodograph_algebra::integer(0);
+    let derived = Derived {
+        parameters: derivation.parameters.each_ref(),
+        homogeneous: derivation.homogeneous.coordinates(),
+        normal: derivation.normal.numerator(),
+        normal_root: length.as_ref().filter(|_| !program.results(outputs::UNIT_NORMAL).is_empty()),
+        singular: None,
+        known: &[],
+        domain: &[[zero.clone(), zero.clone()], [zero.clone(), zero]],
+    };
+    check(program, &derived)
+}
+
+#[test]
+fn programs_are_proved() {
+    for entry in entries() {
+        let program = exact_program(&entry.model, &entry.derivation).unwrap();
+        assert_eq!(prove(&entry, &program), Ok(()), "{}", entry.model.name);
+    }
+}
+
+#[test]
+fn no_changed_constant_passes_the_proof() {
+    for entry in entries() {
+        let program = exact_program(&entry.model, &entry.derivation).unwrap();
+        let mut constants = 0;
+        let counted: Result<_, ()> = program.map_constants(|constant| {
+            constants += 1;
+            Ok(constant.clone())
+        });
+        assert_eq!(counted.unwrap().to_string(), program.to_string());
+        assert!(constants > 0, "{}", entry.model.name);
+        for changed in 0..constants {
+            let mut place = 0;
+            let broken: Result<Program<Poly>, ()> = program.map_constants(|constant| {
+                place += 1;
+                Ok(if place - 1 == changed { constant + &Poly::one() } else { constant.clone() })
+            });
+            let name = &entry.model.name;
+            assert!(prove(&entry, &broken.unwrap()).is_err(), "{name} with another constant {changed}");
+        }
+    }
+}
+
+#[test]
+fn no_swapped_output_passes_the_proof() {
+    for entry in entries() {
+        let program = exact_program(&entry.model, &entry.derivation).unwrap();
+        let mut derivation = entry.derivation.clone();
+        derivation.parameters.swap(0, 1);
+        let entry = Entry { derivation, ..entry };
+        // The parameters u and v in each other's place.
+        assert_ne!(prove(&entry, &program), Ok(()), "{}", entry.model.name);
+        let _: &[Variable; 2] = &entry.derivation.parameters;
+    }
+}

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use hodograph::{GridError, Regularity, Surface, catalogue};
-use hodograph_algebra::{Enclosure, Homogeneous};
+use hodograph_algebra::Homogeneous;
 use hodograph_codegen::round::nearest;
 use hodograph_tests::catalogue::{Entry, entries};
-use hodograph_tests::oracle::{Oracle, error, magnitude};
+use hodograph_tests::fixed::{BITS, Fixed};
+use hodograph_tests::oracle::{Oracle, error};
 use hodograph_tests::precision::{Quantity, allowance};
 use hodograph_tests::random::SplitMix64;
 
@@ -19,6 +20,9 @@ const DISTANCES: [f64; 4] = [-1.25, 0.0, 1.0 / 3.0, 2.0];
 
 /// Half the step between floats of size 1: the unit of the table of errors.
 const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// The width of enclosures is below this, so that smaller sizes and errors are those of zero.
+const RESOLUTION: f64 = 1e-80;
 
 /// Runs `test` for each surface of the catalogue with what is derived from its formula.
 fn for_each(mut test: impl FnMut(&'static dyn Surface, &Entry)) {
@@ -48,12 +52,12 @@ struct Errors {
 }
 
 impl Errors {
-    fn record(&mut self, floats: &[f64], truth: &[Enclosure]) {
+    fn record(&mut self, floats: &[f64], truth: &[Fixed]) {
         assert_eq!(floats.len(), truth.len());
         self.components.resize(floats.len(), (0.0, 0.0));
         for ((largest, size), (&float, truth)) in self.components.iter_mut().zip(floats.iter().zip(truth)) {
             *largest = largest.max(error(float, truth));
-            *size = size.max(magnitude(truth));
+            *size = size.max(truth.magnitude());
         }
     }
 
@@ -61,8 +65,8 @@ impl Errors {
     /// is relative to the size of the vector.
     fn of_components(&self) -> Vec<f64> {
         let relative = |&(error, size): &(f64, f64)| {
-            let size = if size > 0.0 { size } else { self.size() };
-            if error > 0.0 { error / size / UNIT } else { 0.0 }
+            let size = if size > RESOLUTION { size } else { self.size() };
+            if error > RESOLUTION { error / size / UNIT } else { 0.0 }
         };
         self.components.iter().map(relative).collect()
     }
@@ -74,7 +78,7 @@ impl Errors {
             return self.of_components().into_iter().fold(0.0, f64::max);
         }
         let error = self.components.iter().map(|&(error, _)| error).fold(0.0, f64::max);
-        if error > 0.0 { error / self.size() / UNIT } else { 0.0 }
+        if error > RESOLUTION { error / self.size() / UNIT } else { 0.0 }
     }
 
     fn size(&self) -> f64 {
@@ -86,7 +90,7 @@ impl Errors {
 fn measure(surface: &dyn Surface, entry: &Entry) -> BTreeMap<Quantity, Errors> {
     let oracle = Oracle::new(&entry.derivation);
     let mut errors: BTreeMap<Quantity, Errors> = BTreeMap::new();
-    let mut record = |quantity, floats: &[f64], truth: &[Enclosure]| {
+    let mut record = |quantity, floats: &[f64], truth: &[Fixed]| {
         errors.entry(quantity).or_default().record(floats, truth);
     };
     for (u, v) in parameters(surface) {
@@ -143,7 +147,7 @@ fn floats_are_as_near_to_the_exact_values_as_stated() {
         let errors = measure(surface, entry);
         for quantity in Quantity::ALL {
             let errors = errors.get(&quantity).unwrap_or_else(|| panic!("{quantity:?} is not measured"));
-            let (found, allowed) = (errors.relative(quantity), allowance(surface.name(), quantity));
+            let (found, allowed) = (errors.relative(quantity), allowance(quantity));
             let components: Vec<String> =
                 errors.of_components().iter().map(|error| format!("{error:8.2}")).collect();
             let components = components.join(" ");
@@ -156,6 +160,20 @@ fn floats_are_as_near_to_the_exact_values_as_stated() {
     });
     println!("{table}");
     assert!(excessive.is_empty(), "{table}\nbeyond what is allowed:\n{}", excessive.join("\n"));
+}
+
+#[test]
+fn enclosures_hold_the_numbers_of_the_field() {
+    for_each(|surface, entry| {
+        let oracle = Oracle::new(&entry.derivation);
+        for (u, v) in parameters(surface).into_iter().take(16) {
+            let enclosed = oracle.at(u, v).homogeneous;
+            for (number, enclosed) in oracle.homogeneous_in_field(u, v).iter().zip(&enclosed) {
+                assert!(enclosed.encloses(&number.enclosure(2 * BITS)), "{} at ({u}, {v})", surface.name());
+                assert!(enclosed.width() < RESOLUTION, "{} at ({u}, {v})", surface.name());
+            }
+        }
+    });
 }
 
 #[test]
@@ -184,7 +202,7 @@ fn control_nets_meet_their_surfaces_at_the_corners() {
         for (s, t, index) in corners {
             let (u, v) = surface.domain().at(s, t);
             let size = net.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
-            let allowed = allowance(surface.name(), Quantity::Homogeneous) * UNIT * size;
+            let allowed = allowance(Quantity::Homogeneous) * UNIT * size;
             for (i, (found, exact)) in surface.homogeneous(u, v).iter().zip(net[index]).enumerate() {
                 let name = Homogeneous::NAMES[i];
                 assert!((found - exact).abs() <= allowed, "{}: {name} at ({u}, {v})", surface.name());
@@ -248,7 +266,7 @@ fn normals_are_of_unit_length_and_never_nan() {
             let (normal, offset) = (surface.unit_normal(u, v), surface.offset_point(0.5, u, v));
             if let Some([x, y, z]) = normal.regular() {
                 let length = (x * x + y * y + z * z).sqrt();
-                let allowed = 2.0 * allowance(surface.name(), Quantity::UnitNormal) * UNIT;
+                let allowed = 2.0 * allowance(Quantity::UnitNormal) * UNIT;
                 let inside = surface.domain().contains(u, v);
                 assert!(length.is_finite(), "{} at ({u}, {v})", surface.name());
                 assert!(!inside || (length - 1.0).abs() <= allowed, "{} at ({u}, {v}): {length}", surface.name());

@@ -2,7 +2,7 @@
 //!
 //! Exact computation can ask for more time and memory than there is: `(1 + u)^(10^9)` is a short input. Every loop of
 //! this crate whose length is not bounded by the size of data that already exists therefore *spends* units of work,
-//! roughly one unit for one product of two machine words. The units depend on the input alone, never on a clock, so a
+//! roughly one unit for one product of two coefficients of a machine word. The units depend on the input alone, never on a clock, so a
 //! computation that ends on one machine ends on all.
 //!
 //! [`with_budget`] runs a computation under a limit. When the limit is reached, the computation is left by unwinding
@@ -14,8 +14,9 @@ use std::cell::RefCell;
 use std::fmt;
 use std::panic::{self, AssertUnwindSafe};
 
-/// The limit that [`with_budget`] is given where nothing else is known: some ten seconds of optimized work.
-pub const DEFAULT_LIMIT: u64 = 2_000_000_000;
+/// The limit that [`with_budget`] is given where nothing else is known: some ten seconds of optimized work, at 20 to 50 ns
+/// a unit.
+pub const DEFAULT_LIMIT: u64 = 300_000_000;
 
 /// The error of a computation that reached its limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,6 +98,17 @@ pub fn spend(units: u64) {
     let exhausted = ACCOUNT.with_borrow_mut(|account| {
         account.spent = account.spent.saturating_add(units);
         account.limit.is_some_and(|limit| account.spent > limit)
+    });
+    if exhausted {
+        leave(None);
+    }
+}
+
+/// Leaves the computation if `units` more would pass the limit, without spending them: what cannot be paid for is refused
+/// before time and memory go into it.
+pub fn require(units: u64) {
+    let exhausted = ACCOUNT.with_borrow(|account| {
+        account.limit.is_some_and(|limit| account.spent.saturating_add(units) > limit)
     });
     if exhausted {
         leave(None);

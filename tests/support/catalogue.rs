@@ -73,39 +73,35 @@ fn read(path: &Path) -> Formulas {
 }
 
 impl Formulas {
-    /// Whether the file is expanded to evaluators: it holds sweeps, and no symbol occurs in their surfaces.
+    /// Whether the file is expanded to evaluators: it holds sweeps alone, and no symbol occurs in their surfaces. Other
+    /// files are there for their claims.
     #[must_use]
     pub fn is_expanded(&self) -> bool {
-        let mut sweeps = self.models.iter().filter(|model| model.kind == ItemKind::Sweep).peekable();
-        sweeps.peek().is_some() && sweeps.all(has_numbers)
+        let has_numbers =
+            |model: &Model| model.surface.as_ref().is_some_and(|surface| surface.symbols().is_empty());
+        self.models.iter().all(|model| model.kind == ItemKind::Sweep && has_numbers(model))
     }
 }
 
-fn has_numbers(model: &Model) -> bool {
-    model.surface.as_ref().is_some_and(|surface| surface.symbols().is_empty())
-}
-
-/// The derivation of every sweep, those with symbols too, by file and place.
-///
-/// # Panics
-/// If one cannot be derived.
+/// The derivation of every sweep, those of claim-only files too, by file and place.
 #[must_use]
 pub fn sweeps() -> Vec<Entry> {
-    let models = files().into_iter().flat_map(|formulas| formulas.models);
-    let sweeps = models.filter(|model| model.kind == ItemKind::Sweep);
-    sweeps
-        .map(|model| {
-            let derivation =
-                compile::derive(&model).unwrap_or_else(|error| panic!("{}: {error}", model.name));
-            Entry { model, derivation }
-        })
-        .collect()
+    derived(files())
 }
 
 /// The sweeps that have an evaluator.
 #[must_use]
 pub fn entries() -> Vec<Entry> {
-    let mut entries = sweeps();
-    entries.retain(|entry| has_numbers(&entry.model));
-    entries
+    let mut files = files();
+    files.retain(Formulas::is_expanded);
+    derived(files)
+}
+
+fn derived(files: Vec<Formulas>) -> Vec<Entry> {
+    let models = files.into_iter().flat_map(|formulas| formulas.models);
+    let derived = |model: Model| {
+        let derivation = compile::derive(&model).unwrap_or_else(|error| panic!("{}: {error}", model.name));
+        Entry { model, derivation }
+    };
+    models.filter(|model| model.kind == ItemKind::Sweep).map(derived).collect()
 }

@@ -4,6 +4,7 @@
 pub mod build;
 pub mod catalogue;
 pub mod digest;
+pub mod fixed;
 pub mod layout;
 pub mod oracle;
 pub mod precision;

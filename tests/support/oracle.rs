@@ -1,54 +1,66 @@
 //! Exact evaluation: what the evaluators' floats are measured with.
 
-use hodograph_algebra::{Derivation, Enclosure, Int, Poly, Rational};
+use std::collections::BTreeMap;
+
+use hodograph_algebra::{Derivation, Poly, Rational};
 use hodograph_codegen::round::exact;
-use num_traits::{Signed, ToPrimitive, Zero};
 
-/// The bits after the point of all enclosures; beside them no rounding error of an `f64` is visible.
-const BITS: u64 = 256;
+use crate::fixed::{BITS, Fixed};
 
-/// A derived surface, ready to be evaluated exactly.
+/// A polynomial in the parameters with its coefficients enclosed.
+#[derive(Clone, Debug)]
+struct Enclosed {
+    exact: Poly,
+    /// By the exponents of u, then of v.
+    coefficients: BTreeMap<u32, BTreeMap<u32, Fixed>>,
+}
+
+/// A derived surface, ready to be evaluated.
 #[derive(Clone, Debug)]
 pub struct Oracle<'a> {
     derivation: &'a Derivation,
-    homogeneous: Vec<Poly>,
-    along_u: Vec<Poly>,
-    along_v: Vec<Poly>,
-    length: Option<Poly>,
+    homogeneous: [Enclosed; 4],
+    along_u: [Enclosed; 4],
+    along_v: [Enclosed; 4],
+    normal: [Enclosed; 3],
+    singular: Enclosed,
 }
 
-/// What a surface is at one pair of parameters; every number is enclosed in an interval of width below 2⁻²⁰⁰.
+/// What a surface is at one pair of parameters: intervals that enclose the exact numbers, far narrower than the step
+/// between floats.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// W, X, Y, Z.
-    pub homogeneous: Vec<Enclosure>,
-    /// R, unless W = 0.
-    pub point: Vec<Enclosure>,
+    pub homogeneous: [Fixed; 4],
+    /// R.
+    pub point: [Fixed; 3],
     /// R_u.
-    pub partial_u: Vec<Enclosure>,
+    pub partial_u: [Fixed; 3],
     /// R_v.
-    pub partial_v: Vec<Enclosure>,
+    pub partial_v: [Fixed; 3],
     /// ‖R_u‖.
-    pub speed_u: Enclosure,
+    pub speed_u: Fixed,
     /// ‖R_v‖.
-    pub speed_v: Enclosure,
+    pub speed_v: Fixed,
     /// The unit normal; `None` exactly where R_u × R_v vanishes.
-    pub unit_normal: Option<Vec<Enclosure>>,
+    pub unit_normal: Option<[Fixed; 3]>,
 }
 
 impl<'a> Oracle<'a> {
     /// The oracle for a derived surface without symbols.
     #[must_use]
     pub fn new(derivation: &'a Derivation) -> Oracle<'a> {
+        let enclosed = |poly: &Poly| Enclosed::new(poly, derivation);
+        let homogeneous = derivation.homogeneous.coordinates();
+        let along = |variable| homogeneous.each_ref().map(|poly| enclosed(&poly.derivative(variable)));
         let [u, v] = &derivation.parameters;
-        let homogeneous = derivation.homogeneous.coordinates().to_vec();
-        let along = |variable| homogeneous.iter().map(|poly| poly.derivative(variable)).collect();
         Oracle {
             derivation,
+            homogeneous: homogeneous.each_ref().map(enclosed),
             along_u: along(u),
             along_v: along(v),
-            length: derivation.normal.length(&derivation.parameters, &derivation.domain),
-            homogeneous,
+            normal: derivation.normal.numerator().each_ref().map(enclosed),
+            singular: enclosed(&derivation.singular.factor),
         }
     }
 
@@ -58,37 +70,92 @@ impl<'a> Oracle<'a> {
     /// If one of them is not finite, and at a pole of the surface.
     #[must_use]
     pub fn at(&self, u: f64, v: f64) -> Truth {
-        let [u, v] = [u, v].map(|float| exact(float).expect("parameters are finite"));
-        let [first, second] = &self.derivation.parameters;
-        let number = |poly: &Poly| poly.at(&[(first, &u), (second, &v)]);
-        let enclosures = |polys: &[Poly]| -> Vec<Enclosure> {
-            polys.iter().map(|poly| number(poly).enclosure(BITS).rounded(BITS)).collect()
-        };
-        let homogeneous = enclosures(&self.homogeneous);
-        let point = quotients(&homogeneous[1..], &homogeneous[0]);
+        let place = Place::new(u, v);
+        let homogeneous = self.homogeneous.each_ref().map(|poly| poly.at(&place));
+        let [weight, coordinates @ ..] = &homogeneous;
+        let point = coordinates.each_ref().map(|x| x.div(weight));
         // (X/W)' = (X' − (X/W)·W')/W
-        let partial = |along: &[Poly]| {
-            let slopes = enclosures(along);
-            let numerators: Vec<Enclosure> =
-                slopes[1..].iter().zip(&point).map(|(slope, x)| slope.add(&negated(&x.mul(&slopes[0])))).collect();
-            quotients(&numerators, &homogeneous[0])
+        let partial = |along: &[Enclosed; 4]| -> [Fixed; 3] {
+            let [slope, along @ ..] = along.each_ref().map(|poly| poly.at(&place));
+            std::array::from_fn(|i| along[i].sub(&point[i].mul(&slope)).div(weight))
         };
         let (partial_u, partial_v) = (partial(&self.along_u), partial(&self.along_v));
-        let normal = &self.derivation.normal;
-        let components = normal.numerator().each_ref().map(number);
-        let regular = !number(&self.derivation.singular.factor).is_zero()
-            && components.iter().any(|component| !component.is_zero());
-        let unit_normal = regular.then(|| {
-            let components = components.map(|component| component.enclosure(BITS));
-            let length = match &self.length {
-                Some(length) => number(length).enclosure(BITS),
-                None => norm(&components),
-            };
-            quotients(&components, &length)
+        let unit_normal = self.is_regular(&place).then(|| {
+            let cross = cross(&partial_u, &partial_v);
+            let length = norm(&cross);
+            cross.map(|component| component.div(&length))
         });
         let (speed_u, speed_v) = (norm(&partial_u), norm(&partial_v));
         Truth { homogeneous, point, partial_u, partial_v, speed_u, speed_v, unit_normal }
     }
+
+    /// Whether R_u × R_v does not vanish: decided in the number field where enclosures hold zero.
+    fn is_regular(&self, place: &Place) -> bool {
+        let vanishes = |poly: &Enclosed| {
+            poly.at(place).contains_zero() && self.exact(&poly.exact, &place.u.0, &place.v.0).is_zero()
+        };
+        !vanishes(&self.singular) && !self.normal.iter().all(vanishes)
+    }
+
+    /// The number of the field that `poly` is at (u, v).
+    #[must_use]
+    pub fn exact(&self, poly: &Poly, u: &Rational, v: &Rational) -> Poly {
+        let [first, second] = &self.derivation.parameters;
+        poly.at(&[(first, u), (second, v)])
+    }
+
+    /// The homogeneous coordinates in the number field: what [`Oracle::at`] encloses, by another way.
+    ///
+    /// # Panics
+    /// If a parameter is not finite.
+    #[must_use]
+    pub fn homogeneous_in_field(&self, u: f64, v: f64) -> [Poly; 4] {
+        let place = Place::new(u, v);
+        self.homogeneous.each_ref().map(|poly| self.exact(&poly.exact, &place.u.0, &place.v.0))
+    }
+}
+
+/// A pair of parameters, exactly and enclosed.
+struct Place {
+    u: (Rational, Fixed),
+    v: (Rational, Fixed),
+}
+
+impl Place {
+    fn new(u: f64, v: f64) -> Place {
+        let [u, v] = [u, v].map(|float| {
+            let number = exact(float).unwrap_or_else(|| panic!("the parameter {float} is no number"));
+            let fixed = Fixed::of(&number);
+            (number, fixed)
+        });
+        Place { u, v }
+    }
+}
+
+impl Enclosed {
+    fn new(poly: &Poly, derivation: &Derivation) -> Enclosed {
+        let mut coefficients: BTreeMap<u32, BTreeMap<u32, Fixed>> = BTreeMap::new();
+        for (exponents, coefficient) in poly.coefficients_of(&derivation.parameters) {
+            let row = coefficients.entry(exponents[0]).or_default();
+            row.insert(exponents[1], Fixed::around(&coefficient.enclosure(BITS)));
+        }
+        Enclosed { exact: poly.clone(), coefficients }
+    }
+
+    fn at(&self, place: &Place) -> Fixed {
+        let row = |row: &BTreeMap<u32, Fixed>| horner(row.iter().map(|(i, c)| (*i, c.clone())), &place.v.1);
+        horner(self.coefficients.iter().map(|(i, coefficients)| (*i, row(coefficients))), &place.u.1)
+    }
+}
+
+/// Σ cᵢ·tⁱ for the pairs (i, cᵢ), by increasing exponents.
+fn horner(terms: impl DoubleEndedIterator<Item = (u32, Fixed)>, t: &Fixed) -> Fixed {
+    let (mut sum, mut at) = (Fixed::zero(), 0);
+    for (exponent, coefficient) in terms.rev() {
+        sum = (exponent..at).fold(sum, |sum, _| sum.mul(t)).add(&coefficient);
+        at = exponent;
+    }
+    (0..at).fold(sum, |sum, _| sum.mul(t))
 }
 
 impl Truth {
@@ -97,53 +164,24 @@ impl Truth {
     /// # Panics
     /// If `r` is not finite.
     #[must_use]
-    pub fn offset_point(&self, r: f64) -> Option<Vec<Enclosure>> {
-        let r = exact(r).expect("the distance is finite");
+    pub fn offset_point(&self, r: f64) -> Option<[Fixed; 3]> {
+        let r = Fixed::of(&exact(r).unwrap_or_else(|| panic!("the distance {r} is no number")));
         let normal = self.unit_normal.as_ref()?;
-        Some(self.point.iter().zip(normal).map(|(x, n)| x.add(&n.scale(&r))).collect())
+        Some(std::array::from_fn(|i| self.point[i].add(&normal[i].mul(&r))))
     }
 }
 
-/// The largest distance of `float` from a number in `truth`, rounded to an `f64`; infinite for NaN and infinities.
+/// The largest distance of `float` from a number in `truth`; infinite for NaN and infinities.
 #[must_use]
-pub fn error(float: f64, truth: &Enclosure) -> f64 {
-    let Some(float) = exact(float) else { return f64::INFINITY };
-    let distance = |end: &Rational| (&float - end).abs();
-    let largest = distance(truth.lower()).max(distance(truth.upper()));
-    to_f64(&largest)
+pub fn error(float: f64, truth: &Fixed) -> f64 {
+    exact(float).map_or(f64::INFINITY, |float| truth.distance(&float))
 }
 
-/// The largest absolute value in `truth`.
-#[must_use]
-pub fn magnitude(truth: &Enclosure) -> f64 {
-    to_f64(&truth.lower().abs().max(truth.upper().abs()))
+fn cross(a: &[Fixed; 3], b: &[Fixed; 3]) -> [Fixed; 3] {
+    let minor = |i: usize, j: usize| a[i].mul(&b[j]).sub(&a[j].mul(&b[i]));
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// The nearest `f64`, up to the resolution 2⁻²⁵⁶.
-fn to_f64(number: &Rational) -> f64 {
-    let scale = Int::from(1).shl(BITS);
-    let scaled = (number * Rational::from(scale)).ceil().to_integer().to_big();
-    scaled.to_f64().map_or(f64::INFINITY, |value| value / 2_f64.powi(BITS as i32))
-}
-
-fn negated(x: &Enclosure) -> Enclosure {
-    Enclosure::new(-x.upper(), -x.lower())
-}
-
-fn quotients(numerators: &[Enclosure], denominator: &Enclosure) -> Vec<Enclosure> {
-    assert!(!denominator.contains_zero(), "the parameters are those of a pole");
-    let inverse = Enclosure::new(denominator.upper().recip(), denominator.lower().recip());
-    numerators.iter().map(|numerator| numerator.mul(&inverse).rounded(BITS)).collect()
-}
-
-fn norm(vector: &[Enclosure]) -> Enclosure {
-    let zero = Enclosure::exact(Rational::zero());
-    let square = vector.iter().fold(zero, |sum, x| sum.add(&square(x)));
-    square.sqrt(BITS)
-}
-
-/// The squares of the numbers in `x`.
-fn square(x: &Enclosure) -> Enclosure {
-    let product = x.mul(x);
-    if x.contains_zero() { Enclosure::new(Rational::zero(), product.upper().clone()) } else { product }
+fn norm(vector: &[Fixed; 3]) -> Fixed {
+    vector.iter().fold(Fixed::zero(), |sum, x| sum.add(&x.mul(x))).sqrt()
 }

@@ -23,7 +23,7 @@ pub enum Quantity {
     UnitNormal,
     /// R + r·N.
     OffsetPoint,
-    /// Σ b_ij·B_i·B_j, by de Casteljau's scheme.
+    /// W, X, Y, Z from the control net, by de Casteljau's scheme.
     ControlNet,
 }
 
@@ -59,9 +59,25 @@ impl Quantity {
 }
 
 /// The largest error allowed, in units of 2⁻⁵³ times the size of the quantity.
+///
+/// Each is less than twice what 1000 points of each surface show, so that a loss of one bit is noticed.
 #[must_use]
-pub fn allowance(_surface: &str, quantity: Quantity) -> f64 {
+pub fn allowance(quantity: Quantity) -> f64 {
     match quantity {
-        _ => 1000.0,
+        // Horner's scheme for degree 9 with rounded coefficients, and two products: the errors of the last steps weigh
+        // most, and terms of the position x(v) have both signs.
+        Quantity::Homogeneous => 8.0,
+        // Two polynomials of degree 5 or less, two quotients by the speed and by the profile's weight, a product, a sum.
+        Quantity::Point => 6.0,
+        // Squares of the profile's weight and of the speed in the denominators double the relative error of these.
+        Quantity::PartialU | Quantity::PartialV => 8.0,
+        // The derivative's errors; the square root halves that of the sum of squares.
+        Quantity::SpeedU | Quantity::SpeedV => 8.0,
+        // Products of rational functions of u and of v, or a direction divided by its length.
+        Quantity::UnitNormal => 6.0,
+        // The errors of the point and of the normal, relative to the sum of both, and two roundings.
+        Quantity::OffsetPoint => 6.0,
+        // Convex combinations alone: as many roundings as degrees, but each of a part of the sum.
+        Quantity::ControlNet => 6.0,
     }
 }

@@ -39,12 +39,32 @@ impl Poly {
             let content = Rational::new_raw(power(self.content.numer()), power(self.content.denom()));
             return Poly { ring: self.ring.clone(), content, terms };
         }
-        budget::spend(u64::from(exponent));
+        budget::require(self.power_work(exponent, &degrees));
         let mut power = self.clone();
         for _ in 1..exponent {
             power = &power * self;
         }
         power
+    }
+
+    /// A cautious estimate of the work for a power with the given degrees, from the number of terms that it can have: at
+    /// most the multinomial one, at most those of its box.
+    fn power_work(&self, exponent: u32, degrees: &[u32]) -> u64 {
+        let cells = degrees.iter().fold(1_u64, |cells, degree| cells.saturating_mul(u64::from(*degree) + 1));
+        let count = self.terms.len() as u64;
+        // C(exponent + count − 1, count − 1), as far as it stays below the number of cells.
+        let mut multinomial = 1_u64;
+        for k in 1..count {
+            multinomial = multinomial.saturating_mul(u64::from(exponent) + k) / k;
+            if multinomial > cells {
+                break;
+            }
+        }
+        let terms = cells.min(multinomial);
+        let bits = self.terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0) + count.ilog2() as u64;
+        let words = 1 + bits.saturating_mul(u64::from(exponent)) / 128;
+        // The powers before it have fewer terms: a third of them on average, for two variables.
+        terms.saturating_mul(count).saturating_mul(words).saturating_mul(u64::from(exponent)) / 4
     }
 
     fn combine(&self, other: &Poly, sign: i64) -> Poly {

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use hodograph_algebra::{Int, Poly, Rational};
+use hodograph_algebra::{Int, Poly, Rational, parse_decimal};
 
 /// The most significant digits that are printed.
-pub(crate) const MAX_DIGITS: u32 = 10_000;
+pub(crate) const MAX_DIGITS: u32 = 1000;
 
 /// Zeros between the point and the first digit up to which a decimal is printed without an exponent.
 const MOST_ZEROS: i64 = 5;
@@ -20,8 +20,12 @@ pub(crate) fn significant(number: &Poly, digits: u32) -> String {
     };
     let magnitude = if sign.is_empty() { number.clone() } else { -number };
     let mut exponent = magnitude_exponent(&magnitude);
-    let scaled = magnitude.scale(&power_of_ten(i64::from(digits) - 1 - exponent));
-    let mut text = scaled.to_decimal(0);
+    let places = i64::from(digits) - 1 - exponent;
+    let scaled = magnitude.scale(&power_of_ten(places));
+    let mut text = match u32::try_from(places) {
+        Ok(places) => magnitude.to_decimal(places).replace('.', "").trim_start_matches('0').to_owned(),
+        Err(_) => scaled.to_decimal(0),
+    };
     if text.len() > digits as usize {
         // 9.99… was rounded to 10.
         text.pop();
@@ -31,6 +35,13 @@ pub(crate) fn significant(number: &Poly, digits: u32) -> String {
         text.truncate(text.trim_end_matches('0').len());
     }
     format!("{sign}{}", placed(&text, exponent, digits))
+}
+
+/// Whether a decimal that [`significant`] gives is the number itself.
+pub(crate) fn is_exact(number: &Poly, decimal: &str) -> bool {
+    let (negative, digits) = decimal.strip_prefix('-').map_or((false, decimal), |digits| (true, digits));
+    let value = parse_decimal(digits).map(|value| if negative { -value } else { value });
+    value.is_some() && value == number.to_rational()
 }
 
 /// The digits with their first one at the place `10^exponent`.
@@ -77,7 +88,7 @@ fn power_of_ten(exponent: i64) -> Rational {
 
 #[cfg(test)]
 mod tests {
-    use hodograph_algebra::{integer, parse_decimal, ratio};
+    use hodograph_algebra::{integer, ratio};
 
     use super::*;
 
@@ -107,11 +118,19 @@ mod tests {
         let root = Poly::sqrt_of(&integer(2));
         assert_eq!(significant(&root, 17), "1.4142135623730950");
         assert_eq!(significant(&(&root - Poly::integer(1)), 5), "0.41421");
-        // √2 − 1.4142135623730950488 is about 1.7e-20: all leading digits cancel.
+        // √2 − 1.4142135623730950488 is about 1.7e-21: all leading digits cancel.
         let close = Poly::constant(parse_decimal("1.4142135623730950488").unwrap_or_else(|| integer(0)));
-        assert_eq!(significant(&(&root - close), 3), "1.69e-20");
+        assert_eq!(significant(&(&root - close), 3), "1.69e-21");
         let large = Poly::constant(parse_decimal("1e40").unwrap_or_else(|| integer(0)));
         assert_eq!(significant(&(large * root), 6), "1.41421e40");
+    }
+
+    #[test]
+    fn exact_decimals_are_recognized() {
+        assert!(is_exact(&Poly::constant(ratio(-4, 5)), "-0.8"));
+        assert!(is_exact(&Poly::zero(), "0"));
+        assert!(!is_exact(&Poly::constant(ratio(2, 3)), "0.66667"));
+        assert!(!is_exact(&Poly::sqrt_of(&integer(2)), "1.4"));
     }
 
     #[test]
@@ -119,6 +138,9 @@ mod tests {
         let text = significant(&Poly::sqrt_of(&integer(2)), 1000);
         assert_eq!(text.len(), 1001);
         let value = Poly::constant(parse_decimal(&text).unwrap_or_else(|| integer(0)));
-        assert_eq!(significant(&value.pow(2), 900), "2.0000".chars().take(1).collect::<String>() + "." + &"0".repeat(899));
+        assert_eq!(
+            significant(&value.pow(2), 900),
+            "2.0000".chars().take(1).collect::<String>() + "." + &"0".repeat(899)
+        );
     }
 }

@@ -130,7 +130,9 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
         builder.permissions(permissions);
     }
     let mut file = builder.tempfile_in(&directory).map_err(|error| failed(&error))?;
-    file.write_all(text.as_bytes()).and_then(|()| file.as_file().sync_all()).map_err(|error| failed(&error))?;
+    file.write_all(text.as_bytes())
+        .and_then(|()| file.as_file().sync_all())
+        .map_err(|error| failed(&error))?;
     file.persist(&target).map_err(|error| failed(&error.error))?;
     Ok(())
 }

@@ -48,11 +48,11 @@ impl Document {
             None => self.models().collect(),
         };
         let asked = sweep.or(self.selected.as_deref());
-        if let (Some(asked), [model]) = (asked, named.as_slice()) {
-            if model.kind == ItemKind::Lemma {
-                let failure = Failure::new(format!("`{asked}` is a lemma, so it has no surface"));
-                return Err(failure.help("`hodograph verify` checks what a lemma claims"));
-            }
+        if let (Some(asked), [model]) = (asked, named.as_slice())
+            && model.kind == ItemKind::Lemma
+        {
+            let failure = Failure::new(format!("`{asked}` is a lemma, so it has no surface"));
+            return Err(failure.help("`hodograph verify` checks what a lemma claims"));
         }
         let sweeps: Vec<&Model> = named.into_iter().filter(|model| model.kind == ItemKind::Sweep).collect();
         if sweeps.is_empty() {
@@ -112,7 +112,10 @@ pub(crate) fn load(input: &str) -> Result<Document, Failure> {
 /// # Errors
 /// Mistakes in a formula of the catalogue.
 pub(crate) fn catalogue() -> Result<Vec<Document>, Failure> {
-    hodograph::sources().iter().map(|source| document(&file_name(source.name), source.text.as_bytes())).collect()
+    hodograph::sources()
+        .iter()
+        .map(|source| document(&file_name(source.name), source.text.as_bytes()))
+        .collect()
 }
 
 /// The documents at all inputs.
@@ -154,7 +157,8 @@ fn unknown(input: &str) -> Failure {
         parsed.flat_map(|(file, _)| file.items.into_iter().map(|item| item.name.value)).collect();
     let files = hodograph::sources().iter().map(|source| source.name);
     let names: Vec<&str> = items.iter().map(String::as_str).chain(files).collect();
-    let failure = Failure::new(format!("there is neither a file nor an entry of the catalogue named `{input}`"));
+    let failure =
+        Failure::new(format!("there is neither a file nor an entry of the catalogue named `{input}`"));
     failure.help(match closest(input, names) {
         Some(similar) => format!("did you mean `{similar}`?"),
         None => "`hodograph verify` lists the catalogue; a file is given by its path".to_owned(),

@@ -81,7 +81,9 @@ fn monomials(poly: &Poly) -> Vec<String> {
         return vec![poly.to_string()];
     }
     let mut signed = Vec::new();
-    for (exponents, coefficient) in poly.coefficients_of(&variables).iter().rev().filter(|(_, c)| !c.is_zero()) {
+    for (exponents, coefficient) in
+        poly.coefficients_of(&variables).iter().rev().filter(|(_, c)| !c.is_zero())
+    {
         let powers = variables.iter().zip(exponents).filter(|(_, exponent)| **exponent > 0);
         // Symbols before parameters, as polynomials print.
         let (symbols, parameters): (Vec<_>, Vec<_>) = powers.partition(|(v, _)| v.rank() >= Variable::SYMBOL);
@@ -182,7 +184,8 @@ mod tests {
 
     #[test]
     fn coefficients_are_collected() {
-        let (u, a) = (Poly::variable(&Variable::new(0, "u")), Poly::variable(&Variable::new(Variable::SYMBOL, "a")));
+        let (u, a) =
+            (Poly::variable(&Variable::new(0, "u")), Poly::variable(&Variable::new(Variable::SYMBOL, "a")));
         let number = Poly::sqrt_of(&integer(2)) - Poly::one();
         let f = &number * u.pow(2) * &a - &u * &a + u.pow(2) + &u - &number;
         assert_eq!(polynomial(&f), "(sqrt2 - 1)*a*u^2 + u^2 - a*u + u - sqrt2 + 1");

@@ -10,6 +10,11 @@ pub(crate) fn written(numbers: &[Poly]) -> Vec<String> {
     minimize_field(numbers).iter().map(number).collect()
 }
 
+/// One number, written in the same way.
+pub(crate) fn written_one(value: &Poly) -> String {
+    written(std::slice::from_ref(value)).concat()
+}
+
 fn number(value: &Poly) -> String {
     let field = value.ring().field();
     let mut text = String::new();
@@ -53,6 +58,6 @@ mod tests {
         let nested = (Poly::integer(3) + &root2).sqrt().unwrap_or_else(Poly::zero);
         let sum = nested.scale(&ratio(-1, 2)) + &root2;
         let all = written(&[sum, Poly::constant(ratio(3, 4)), Poly::zero(), root2.pow(2), -root2]);
-        assert_eq!(all, ["-1/2*sqrt(sqrt(2) + 3) + sqrt(2)", "3/4", "0", "2", "-sqrt(2)"]);
+        assert_eq!(all, ["sqrt(2) - 1/2*sqrt(sqrt(2) + 3)", "3/4", "0", "2", "-sqrt(2)"]);
     }
 }

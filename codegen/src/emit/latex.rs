@@ -6,8 +6,8 @@ use crate::language::ast::{Argument, Expr, ExprKind, ProductOperator, RelationOp
 
 /// Greek letters, which print as such.
 const GREEK: &[&str] = &[
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi",
-    "rho", "sigma", "tau", "phi", "chi", "psi", "omega",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
+    "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega",
 ];
 
 /// Functions that LaTeX knows by name.
@@ -207,10 +207,10 @@ fn call(callee: &Expr, arguments: &[Argument]) -> String {
         None => expression(&argument.value),
     };
     let arguments: Vec<String> = arguments.iter().map(listed).collect();
-    if let (ExprKind::Ident(function), [radicand]) = (callee.kind(), arguments.as_slice()) {
-        if function == "sqrt" {
-            return format!("\\sqrt{{{radicand}}}");
-        }
+    if let (ExprKind::Ident(function), [radicand]) = (callee.kind(), arguments.as_slice())
+        && function == "sqrt"
+    {
+        return format!("\\sqrt{{{radicand}}}");
     }
     let callee = match callee.kind() {
         ExprKind::Ident(function) if OPERATORS.contains(&function.as_str()) => format!("\\{function}"),
@@ -240,13 +240,17 @@ fn signed_term(poly: &Poly, term: &Term, first: bool) -> String {
     };
     let ring = poly.ring();
     let generators = ring.field().generators().iter().zip(ring.generator_exponents(term.monomial));
-    let mut factors: Vec<String> =
-        generators.filter(|(_, exponent)| *exponent > 0).map(|(generator, _)| root(generator.name())).collect();
+    let mut factors: Vec<String> = generators
+        .filter(|(_, exponent)| *exponent > 0)
+        .map(|(generator, _)| root(generator.name()))
+        .collect();
     let variables = ring.variables().iter().zip(ring.exponents(term.monomial));
     let variables: Vec<_> = variables.filter(|(_, exponent)| *exponent > 0).collect();
     let is_symbol = |rank: u32| rank >= hodograph_algebra::Variable::SYMBOL;
     for symbols in [true, false] {
-        for (variable, exponent) in variables.iter().filter(|(variable, _)| is_symbol(variable.rank()) == symbols) {
+        for (variable, exponent) in
+            variables.iter().filter(|(variable, _)| is_symbol(variable.rank()) == symbols)
+        {
             let base = name(variable.name());
             factors.push(if *exponent == 1 { base } else { format!("{base}^{{{exponent}}}") });
         }

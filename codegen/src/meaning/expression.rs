@@ -1,5 +1,7 @@
 //! Expressions to values.
 
+use std::cell::Cell;
+
 use hodograph_algebra::{Fraction, Poly, Rational, budget, integer, parse_decimal};
 
 use super::fault::Fault;
@@ -12,24 +14,33 @@ use crate::language::ast::{Expr, ExprKind, ProductOperator, SumOperator};
 /// The largest exponent, up or down, that an expression may raise to.
 pub const MAX_EXPONENT: i64 = 1000;
 
+/// How many levels of an expression are evaluated: in debug builds each takes some ten kilobytes of the stack, of which
+/// a thread may have two megabytes.
+const MAX_LEVELS: usize = 96;
+
+thread_local! {
+    /// The levels under way.
+    static LEVELS: Cell<usize> = const { Cell::new(0) };
+}
+
 impl Scope {
     /// The value of an expression.
     pub(super) fn evaluate(&self, expr: &Expr) -> Result<Value, Fault> {
         budget::spend(1);
+        let Some(_level) = Level::enter() else {
+            let message = format!("this is nested more than {MAX_LEVELS} levels deep");
+            return Err(Fault::new(expr.span(), message).help("name its parts with `let`"));
+        };
         let span = expr.span();
         match expr.kind() {
-            ExprKind::Number(text) => parse_decimal(text).map(scalar).ok_or_else(|| {
-                let message = format!("the number {} is beyond the range", shortened(text));
-                Fault::new(span, message).help("decimals with up to 4096 places up or down are exact here")
-            }),
+            ExprKind::Number(text) => number(text, span),
             ExprKind::Ident(name) => self.value(name, span),
             ExprKind::Str(_) => Err(Fault::new(span, "a text has no value in a formula")),
             ExprKind::Tuple(parts) => {
-                let part = |part: &Expr| self.scalar(part, "a component");
-                Ok(Value::Tuple(parts.iter().map(part).collect::<Result<_, _>>()?))
+                Ok(Value::Tuple(each(parts, |part| self.scalar(part, "a component"))?))
             }
             ExprKind::Array(parts) => {
-                Ok(Value::List(parts.iter().map(|part| self.evaluate(part)).collect::<Result<_, _>>()?))
+                Ok(Value::List(each(parts, |part| self.evaluate(part))?))
             }
             ExprKind::Call { callee, arguments } => calls::call(self, span, callee, arguments),
             ExprKind::Member { object, member } => members::member(self, span, object, member),
@@ -37,31 +48,8 @@ impl Scope {
                 let value = self.evaluate(operand)?;
                 product(&scalar(integer(-1)), &value).ok_or_else(|| no_sign(operand.span(), &value))
             }
-            ExprKind::Sum { first, rest } => {
-                let mut sum = self.evaluate(first)?;
-                for (operator, operand) in rest {
-                    let value = self.evaluate(operand)?;
-                    let signed = match operator {
-                        SumOperator::Plus => Some(value.clone()),
-                        SumOperator::Minus => product(&scalar(integer(-1)), &value),
-                    };
-                    let total = signed.and_then(|signed| add(&sum, &signed));
-                    sum = total.ok_or_else(|| cannot(operand.span(), "add", &sum, &value))?;
-                }
-                Ok(sum)
-            }
-            ExprKind::Product { first, rest } => {
-                let mut result = self.evaluate(first)?;
-                for (operator, operand) in rest {
-                    let value = self.evaluate(operand)?;
-                    result = match operator {
-                        ProductOperator::Times => product(&result, &value)
-                            .ok_or_else(|| cannot(operand.span(), "multiply", &result, &value))?,
-                        ProductOperator::Over => quotient(&result, &value, operand.span())?,
-                    };
-                }
-                Ok(result)
-            }
+            ExprKind::Sum { first, rest } => self.sum(first, rest),
+            ExprKind::Product { first, rest } => self.product(first, rest),
             ExprKind::Power { base, exponent } => self.power(base, exponent),
             ExprKind::Not(_) | ExprKind::Relation { .. } => {
                 Err(Fault::new(span, "a relation has no value").help("relations stand in `claim` clauses"))
@@ -108,6 +96,39 @@ impl Scope {
         number.to_rational().ok_or_else(|| Fault::new(expr.span(), format!("{role} must be a rational number")))
     }
 
+    fn sum(&self, first: &Expr, rest: &[(SumOperator, Expr)]) -> Result<Value, Fault> {
+        let mut values = self.operands(first, rest)?.into_iter();
+        let mut sum = values.next().unwrap_or_else(|| scalar(integer(0)));
+        for ((operator, operand), value) in rest.iter().zip(values) {
+            let signed = match operator {
+                SumOperator::Plus => Some(value.clone()),
+                SumOperator::Minus => product(&scalar(integer(-1)), &value),
+            };
+            let total = signed.and_then(|signed| add(&sum, &signed));
+            sum = total.ok_or_else(|| cannot(operand.span(), "add", &sum, &value))?;
+        }
+        Ok(sum)
+    }
+
+    fn product(&self, first: &Expr, rest: &[(ProductOperator, Expr)]) -> Result<Value, Fault> {
+        let mut values = self.operands(first, rest)?.into_iter();
+        let mut result = values.next().unwrap_or_else(|| scalar(integer(1)));
+        for ((operator, operand), value) in rest.iter().zip(values) {
+            result = match operator {
+                ProductOperator::Times => product(&result, &value)
+                    .ok_or_else(|| cannot(operand.span(), "multiply", &result, &value))?,
+                ProductOperator::Over => quotient(&result, &value, operand.span())?,
+            };
+        }
+        Ok(result)
+    }
+
+    /// The values of all operands of a sum or product; the mistakes in all of them are found.
+    fn operands<O>(&self, first: &Expr, rest: &[(O, Expr)]) -> Result<Vec<Value>, Fault> {
+        let operands: Vec<&Expr> = std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand)).collect();
+        each(&operands, |operand| self.evaluate(operand))
+    }
+
     fn power(&self, base: &Expr, exponent: &Expr) -> Result<Value, Fault> {
         let power = self.rational(exponent, "an exponent")?;
         let small = power.is_integer().then(|| power.to_integer().small()).flatten();
@@ -138,6 +159,51 @@ impl Scope {
         };
         if power >= 0 { Ok(raised) } else { quotient(&scalar(integer(1)), &raised, base.span()) }
     }
+}
+
+/// One level of an expression that is being evaluated.
+struct Level;
+
+impl Level {
+    /// One level deeper; `None` at [`MAX_LEVELS`].
+    fn enter() -> Option<Level> {
+        let level = LEVELS.get();
+        (level < MAX_LEVELS).then(|| {
+            LEVELS.set(level + 1);
+            Level
+        })
+    }
+}
+
+impl Drop for Level {
+    fn drop(&mut self) {
+        LEVELS.set(LEVELS.get() - 1);
+    }
+}
+
+fn number(text: &str, span: Span) -> Result<Value, Fault> {
+    parse_decimal(text).map(scalar).ok_or_else(|| {
+        let message = format!("the number {} is beyond the range", shortened(text));
+        Fault::new(span, message).help("decimals with up to 4096 places up or down are exact here")
+    })
+}
+
+/// The results for all items, or the mistakes in all of them.
+pub(super) fn each<I, T>(items: &[I], evaluate: impl Fn(&I) -> Result<T, Fault>) -> Result<Vec<T>, Fault> {
+    let mut values = Vec::with_capacity(items.len());
+    let mut faults: Option<Fault> = None;
+    for item in items {
+        match evaluate(item) {
+            Ok(value) => values.push(value),
+            Err(fault) => {
+                faults = Some(match faults {
+                    Some(first) => first.and(fault),
+                    None => fault,
+                });
+            }
+        }
+    }
+    faults.map_or(Ok(values), Err)
 }
 
 /// The number as a value.

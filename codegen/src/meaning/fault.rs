@@ -14,6 +14,8 @@ pub(super) struct Fault {
     pub irrational: bool,
     /// Whether the cause has been reported already.
     pub reported: bool,
+    /// Further mistakes in the same expression.
+    pub others: Vec<Diagnostic>,
 }
 
 impl Fault {
@@ -27,6 +29,24 @@ impl Fault {
         let mut fault = Fault::new(span, "this depends on a definition with a mistake");
         fault.reported = true;
         fault
+    }
+
+    /// Both faults as one.
+    #[must_use]
+    pub(super) fn and(mut self, other: Fault) -> Fault {
+        if self.reported {
+            return other;
+        }
+        if !other.reported {
+            self.others.push(*other.diagnostic);
+            self.others.extend(other.others);
+        }
+        self
+    }
+
+    /// All mistakes, for a report; none if they have been reported already.
+    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
+        if self.reported { Vec::new() } else { std::iter::once(*self.diagnostic).chain(self.others).collect() }
     }
 
     /// The same with what to do.
@@ -75,6 +95,6 @@ impl Fault {
 
 impl From<Diagnostic> for Fault {
     fn from(diagnostic: Diagnostic) -> Fault {
-        Fault { diagnostic: Box::new(diagnostic), irrational: false, reported: false }
+        Fault { diagnostic: Box::new(diagnostic), irrational: false, reported: false, others: Vec::new() }
     }
 }

@@ -95,7 +95,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
                     Ok((parameter, interval)) => {
                         scope.domains.insert(parameter, interval);
                     }
-                    Err(fault) => diagnostics.push(*fault.diagnostic),
+                    Err(fault) => fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one)),
                 }
             }
         }
@@ -120,9 +120,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
             _ => define(&mut scope, clause, prefixes),
         };
         if let Err(fault) = result {
-            if !fault.reported {
-                diagnostics.push(*fault.diagnostic);
-            }
+            fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one));
             // Later clauses would only repeat that a name is missing.
             poison(&mut scope, clause);
         }

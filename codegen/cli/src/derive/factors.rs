@@ -55,7 +55,10 @@ mod tests {
     use super::*;
 
     fn product(factors: &Factors) -> Poly {
-        factors.factors.iter().fold(factors.unit.clone(), |all, (factor, exponent)| all * factor.pow(*exponent))
+        factors
+            .factors
+            .iter()
+            .fold(factors.unit.clone(), |all, (factor, exponent)| all * factor.pow(*exponent))
     }
 
     #[test]
@@ -63,7 +66,9 @@ mod tests {
         let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
         let [u, v] = parameters.each_ref().map(Poly::variable);
         let root = Poly::sqrt_of(&integer(2));
-        let f = (&u + Poly::one()).pow(2) * (v.pow(2) + &root) * (&u * &v + Poly::integer(3)).scale(&ratio(-2, 3));
+        let f = (&u + Poly::one()).pow(2)
+            * (v.pow(2) + &root)
+            * (&u * &v + Poly::integer(3)).scale(&ratio(-2, 3));
         let split = Factors::of(&f, &parameters);
         assert_eq!(product(&split), f);
         assert_eq!(split.factors.len(), 3);

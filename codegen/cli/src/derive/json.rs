@@ -143,7 +143,10 @@ fn field(derivation: &Derivation) -> Field {
         relation: field.relation(position).to_string(),
         approximation: significant(&Poly::generator(field, position), APPROXIMATION_DIGITS),
     };
-    Field { degree: field.degree(), generators: field.generators().iter().enumerate().map(generator).collect() }
+    Field {
+        degree: field.degree(),
+        generators: field.generators().iter().enumerate().map(generator).collect(),
+    }
 }
 
 fn coordinates(homogeneous: &Homogeneous) -> Coordinates {

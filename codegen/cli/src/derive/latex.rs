@@ -12,7 +12,8 @@ const LINE: usize = 160;
 
 /// All derivations, a subsection each, for a document that uses amsmath.
 pub(super) fn output(all: &[Derived<'_>]) -> String {
-    let mut text = "% Needs \\usepackage{amsmath}; long formulas may break with \\allowdisplaybreaks.\n".to_owned();
+    let mut text =
+        "% Needs \\usepackage{amsmath}; long formulas may break with \\allowdisplaybreaks.\n".to_owned();
     for derived in all {
         text += &subsection(derived);
     }
@@ -44,13 +45,19 @@ fn subsection(derived: &Derived<'_>) -> String {
     let mut lines: Vec<(String, Vec<String>)> = ["x", "y", "z"]
         .iter()
         .zip(normal.numerator())
-        .map(|(axis, component)| (format!("N_{axis}"), factored(&Factors::of(component, &derivation.parameters))))
+        .map(|(axis, component)| {
+            (format!("N_{axis}"), factored(&Factors::of(component, &derivation.parameters)))
+        })
         .collect();
     lines.push(("c".to_owned(), vec![latex::fraction(&normal.factor().lowest_terms())]));
     text += &aligned(lines);
     match &derivation.offset {
         Offset::Rational(offset) => {
-            text += &format!("Rational offset at the distance ${}$, of degree ${}$:\n", latex::name(derivation.distance.name()), offset.degree());
+            text += &format!(
+                "Rational offset at the distance ${}$, of degree ${}$:\n",
+                latex::name(derivation.distance.name()),
+                offset.degree()
+            );
             text += &aligned(coordinates(offset));
         }
         Offset::Irrational { odd } => {
@@ -69,16 +76,23 @@ fn subsection(derived: &Derived<'_>) -> String {
 fn formula(item: &Item) -> Vec<(String, Vec<String>)> {
     let applied = |name: &str, parameters: &[&str]| {
         let parameters: Vec<String> = parameters.iter().map(|parameter| latex::name(parameter)).collect();
-        if parameters.is_empty() { latex::name(name) } else { format!("{}({})", latex::name(name), parameters.join(", ")) }
+        if parameters.is_empty() {
+            latex::name(name)
+        } else {
+            format!("{}({})", latex::name(name), parameters.join(", "))
+        }
     };
     item.clauses
         .iter()
         .filter_map(|clause| match &clause.kind {
             ClauseKind::Let(definition) => {
-                let parameters: Vec<&str> = definition.parameters.iter().map(|name| name.value.as_str()).collect();
+                let parameters: Vec<&str> =
+                    definition.parameters.iter().map(|name| name.value.as_str()).collect();
                 Some((applied(&definition.name.value, &parameters), &definition.value))
             }
-            ClauseKind::Curve(curve) => Some((applied(&curve.name.value, &[&curve.parameter.value]), &curve.value)),
+            ClauseKind::Curve(curve) => {
+                Some((applied(&curve.name.value, &[&curve.parameter.value]), &curve.value))
+            }
             ClauseKind::Surface(surface) => {
                 Some((applied(&surface.name.value, &surface.parameter_names()), &surface.value))
             }
@@ -90,9 +104,14 @@ fn formula(item: &Item) -> Vec<(String, Vec<String>)> {
 
 fn coordinates(homogeneous: &Homogeneous) -> Vec<(String, Vec<String>)> {
     let weight = Factors::of_weight(homogeneous);
-    let others = homogeneous.coordinates().iter().skip(1).map(|poly| Factors::of(poly, homogeneous.parameters()));
+    let others =
+        homogeneous.coordinates().iter().skip(1).map(|poly| Factors::of(poly, homogeneous.parameters()));
     let all = std::iter::once(weight).chain(others);
-    Homogeneous::NAMES.iter().zip(all).map(|(name, factors)| ((*name).to_owned(), factored(&factors))).collect()
+    Homogeneous::NAMES
+        .iter()
+        .zip(all)
+        .map(|(name, factors)| ((*name).to_owned(), factored(&factors)))
+        .collect()
 }
 
 /// A product as lines: a factor that is long is broken between its terms.
@@ -105,8 +124,12 @@ fn factored(factors: &Factors) -> Vec<String> {
         }
         lines.extend(pieces);
     };
+    let negative = factors.unit == Poly::integer(-1);
+    let alone = alone && !negative;
     if factors.factors.is_empty() {
         append(broken(&latex::terms(&factors.unit)));
+    } else if negative {
+        append(vec!["-".to_owned()]);
     } else if !factors.unit.is_one() {
         append(enclosed(&factors.unit, 1));
     }
@@ -121,7 +144,9 @@ fn factored(factors: &Factors) -> Vec<String> {
 fn enclosed(poly: &Poly, exponent: u32) -> Vec<String> {
     let power = if exponent == 1 { String::new() } else { format!("^{{{exponent}}}") };
     let terms = latex::terms(poly);
-    if terms.len() == 1 && (exponent == 1 || poly.content().is_integer() && !terms[0].contains(['^', '\\', '-'])) {
+    if terms.len() == 1
+        && (exponent == 1 || poly.content().is_integer() && !terms[0].contains(['^', '\\', '-']))
+    {
         return vec![format!("{}{power}", terms[0])];
     }
     let mut lines = broken(&terms);
@@ -141,7 +166,7 @@ fn broken(terms: &[String]) -> Vec<String> {
     for term in terms {
         match lines.last_mut() {
             Some(line) if line.len() + term.len() <= LINE || line.is_empty() => line.push_str(term),
-            _ => lines.push(term.clone()),
+            _ => lines.push(term.trim_start().to_owned()),
         }
     }
     lines

@@ -51,7 +51,8 @@ pub(crate) fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
         DeriveFormat::Latex => latex::output(&all),
     });
     drop(progress);
-    let exhausted = |error: budget::Exhausted| Failure::new(error.to_string()).help("`--format json` needs less work");
+    let exhausted =
+        |error: budget::Exhausted| Failure::new(error.to_string()).help("`--format json` needs less work");
     console::print(&output.map_err(exhausted)?)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -94,11 +94,14 @@ impl Page {
     fn fraction(&mut self, fraction: &Fraction, parameters: &[Variable; 2]) -> String {
         let lowest = fraction.lowest_terms();
         let numerator = Factors::of(lowest.numerator(), parameters);
-        self.shortened |= !numerator.factors.iter().chain(lowest.factors()).all(|(factor, _)| is_short(factor));
+        self.shortened |=
+            !numerator.factors.iter().chain(lowest.factors()).all(|(factor, _)| is_short(factor));
         let above = product(&numerator.unit, &numerator.factors);
         match lowest.factors() {
             [] => above,
-            factors if above.contains([' ', '/', '*']) => format!("({above}) / ({})", product(&Poly::one(), factors)),
+            factors if above.contains([' ', '/', '*']) => {
+                format!("({above}) / ({})", product(&Poly::one(), factors))
+            }
             factors => format!("{above} / ({})", product(&Poly::one(), factors)),
         }
     }
@@ -108,9 +111,7 @@ fn degrees(page: &mut Page, homogeneous: &Homogeneous) {
     let [u, v] = homogeneous.parameters();
     page.title(&format!("Degrees in ({u}, {v})"));
     let [w, x, y, z] = homogeneous.coordinates().each_ref();
-    let group = |a: &Poly, b: &Poly| {
-        Bidegree::of_group([a, b], homogeneous.parameters()).to_string()
-    };
+    let group = |a: &Poly, b: &Poly| Bidegree::of_group([a, b], homogeneous.parameters()).to_string();
     page.item("each      ", &named(homogeneous.degrees()));
     page.item("together  ", &format!("W and Z {}, X and Y {}", group(w, z), group(x, y)));
     page.item("patch     ", &homogeneous.degree().to_string());
@@ -120,7 +121,10 @@ fn degrees(page: &mut Page, homogeneous: &Homogeneous) {
     } else {
         format!("with the common factor {}", polynomial(factor))
     };
-    page.item("raw       ", &format!("{}, patch {}, {removed}", named(homogeneous.raw_degrees()), homogeneous.raw_degree()));
+    page.item(
+        "raw       ",
+        &format!("{}, patch {}, {removed}", named(homogeneous.raw_degrees()), homogeneous.raw_degree()),
+    );
 }
 
 /// The degrees of W, X, Y and Z.

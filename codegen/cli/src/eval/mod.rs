@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::args::{EvalArguments, Format, Quantity};
 use crate::console;
-use crate::decimal::significant;
+use crate::decimal::{is_exact, significant};
 use crate::failure::Failure;
 use crate::input;
 use crate::layout;
@@ -38,7 +38,8 @@ struct Output<'a> {
 pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let document = input::load(&arguments.input.input)?;
     let model = document.sweep(arguments.input.sweep.as_deref())?;
-    let surface = model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
+    let surface =
+        model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
     let parameters = [
         number("--u", "the first parameter", &arguments.u)?,
         number("--v", "the second parameter", &arguments.v)?,
@@ -47,25 +48,29 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let symbols = surface.symbols();
     let distance = quantity::distance(surface, arguments.what);
     let distance = check(model, &symbols, distance, &settings)?;
-    let values = symbols.into_iter().zip(&settings).map(|(symbol, _)| symbol);
-    let values = values.filter_map(|symbol| Some((symbol.clone(), find(&settings, &symbol)?.clone()))).collect();
+    let values =
+        symbols.into_iter().filter_map(|symbol| Some((symbol.clone(), find(&settings, &symbol)?.clone())));
+    let values = values.collect();
     note_outside(surface, &parameters);
 
     let computed = budget::with_budget(budget::DEFAULT_LIMIT, || {
         let place = Place::new(surface, &values, &parameters)?;
         let numbers = quantity::evaluate(&place, arguments.what, distance.as_ref())?;
-        let decimal: Vec<String> = numbers.iter().map(|number| significant(number, arguments.digits)).collect();
+        let decimal: Vec<String> =
+            numbers.iter().map(|number| significant(number, arguments.digits)).collect();
         Ok::<_, Failure>((numbers, decimal))
     });
-    let exhausted = |error: budget::Exhausted| Failure::new(error.to_string()).help("use simpler numbers or fewer digits");
+    let exhausted = |error: budget::Exhausted| {
+        Failure::new(error.to_string()).help("use simpler numbers or fewer digits")
+    };
     let (numbers, decimal) = computed.map_err(exhausted)??;
-    let [u, v] = parameters.map(|parameter| radical::written(&[parameter]).concat());
+    let [u, v] = parameters.each_ref().map(radical::written_one);
     // Writing a number over the smallest field may cost more than the number itself; its decimals are there anyway.
     let exact = budget::with_budget(budget::DEFAULT_LIMIT, || radical::written(&numbers)).ok();
     let result = Output { schema: 1, sweep: &model.name, u, v, what: arguments.what.name(), exact, decimal };
     console::print(&match arguments.format {
         Format::Json => layout::json(&result),
-        Format::Text => text(&result, surface.parameters(), arguments.what),
+        Format::Text => text(&result, &numbers, surface.parameters(), arguments.what),
     })?;
     Ok(ExitCode::SUCCESS)
 }
@@ -112,7 +117,9 @@ fn check(
     if !missing.is_empty() {
         let what = if missing.len() == 1 { "a value" } else { "values" };
         let failure = Failure::new(format!("`{}` needs {what} for {}", model.name, missing.join(", ")));
-        return Err(failure.help(missing.iter().map(|name| format!("--set {name}=1")).collect::<Vec<_>>().join(" ")));
+        return Err(
+            failure.help(missing.iter().map(|name| format!("--set {name}=1")).collect::<Vec<_>>().join(" "))
+        );
     }
     Ok(distance.and_then(|distance| find(settings, &distance).cloned()))
 }
@@ -125,23 +132,25 @@ fn find<'a>(settings: &'a [(String, Poly)], symbol: &Variable) -> Option<&'a Pol
 fn note_outside(surface: &SweptSurface, values: &[Poly; 2]) {
     for ((parameter, interval), value) in surface.parameters().iter().zip(surface.domain()).zip(values) {
         if !interval.contains(value) {
-            let [lower, upper] = [interval.lower(), interval.upper()].map(|end| radical::written(&[end.clone()]).concat());
+            let [value, lower, upper] = [value, interval.lower(), interval.upper()].map(radical::written_one);
             console::note(&format!("{parameter} = {value} lies outside of the domain {lower}..{upper}"));
         }
     }
 }
 
-fn text(result: &Output<'_>, parameters: &[Variable; 2], what: Quantity) -> String {
+fn text(result: &Output<'_>, numbers: &[Poly], parameters: &[Variable; 2], what: Quantity) -> String {
     let [u, v] = parameters;
     let mut text = format!("{} of {} at {u} = {}, {v} = {}\n", result.what, result.sweep, result.u, result.v);
     for (index, (name, decimal)) in what.components().iter().zip(&result.decimal).enumerate() {
+        let relation =
+            if numbers.get(index).is_some_and(|number| is_exact(number, decimal)) { '=' } else { '≈' };
         let exact = result.exact.as_ref().and_then(|exact| exact.get(index));
         match exact.filter(|exact| *exact != decimal) {
             Some(exact) => {
                 text += &layout::wrapped(&format!("  {name} = "), exact);
-                text += &format!("\n  {:width$} ≈ {decimal}\n", "", width = name.len());
+                text += &format!("\n  {:width$} {relation} {decimal}\n", "", width = name.len());
             }
-            None => text += &format!("  {name} = {decimal}\n"),
+            None => text += &format!("  {name} {relation} {decimal}\n"),
         }
     }
     text

@@ -37,7 +37,9 @@ impl Place {
         }
         let at = place.description();
         Err(if coordinates.iter().all(Poly::is_zero) {
-            Failure::new(format!("W, X, Y and Z all vanish at {at}, so the surface has no definite point there"))
+            Failure::new(format!(
+                "W, X, Y and Z all vanish at {at}, so the surface has no definite point there"
+            ))
         } else {
             Failure::new(format!("the surface has a pole at {at}: W = 0"))
         })
@@ -85,15 +87,15 @@ impl Place {
 
     /// The point as `u = 1/2, v = 0`.
     pub(super) fn description(&self) -> String {
-        let equation = |(name, value): (&Variable, &Poly)| {
-            format!("{name} = {}", radical::written(std::slice::from_ref(value)).concat())
-        };
+        let equation =
+            |(name, value): (&Variable, &Poly)| format!("{name} = {}", radical::written_one(value));
         self.values.iter().map(equation).collect::<Vec<_>>().join(", ")
     }
 }
 
 fn specialized(surface: &SweptSurface, symbols: &BTreeMap<Variable, Poly>) -> Result<SweptSurface, Failure> {
-    let values = symbols.iter().map(|(symbol, value)| (symbol.clone(), Fraction::from(value.clone()))).collect();
+    let values =
+        symbols.iter().map(|(symbol, value)| (symbol.clone(), Fraction::from(value.clone()))).collect();
     let components: Option<Vec<Fraction>> =
         surface.position().components().iter().map(|component| component.substitute(&values)).collect();
     let position = components.and_then(|components| <[Fraction; 3]>::try_from(components).ok());

@@ -54,7 +54,9 @@ fn normal(place: &Place) -> Result<Vec<Poly>, Failure> {
     let normal = vec![minor(1, 2), minor(2, 0), minor(0, 1)];
     if normal.iter().all(Poly::is_zero) {
         let at = place.description();
-        return Err(Failure::new(format!("the surface is singular at {at}: R_u x R_v = 0, so there is no normal")));
+        return Err(Failure::new(format!(
+            "the surface is singular at {at}: R_u x R_v = 0, so there is no normal"
+        )));
     }
     Ok(normal)
 }

@@ -75,7 +75,8 @@ fn check_all(documents: &[Document]) -> Result<Vec<Entry>, Failure> {
 
 fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
     let degrees = model.surface.as_ref().and_then(|surface| {
-        let homogeneous = budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()).ok()?;
+        let homogeneous =
+            budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()).ok()?;
         let (patch, raw) = (homogeneous.degree(), homogeneous.raw_degree());
         Some(Degrees { coordinates: homogeneous.degrees(), patch, raw })
     });
@@ -91,7 +92,8 @@ fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
 
 /// The exit status for these verdicts.
 fn status(entries: &[Entry]) -> u8 {
-    let mut unexpected = entries.iter().flat_map(|entry| &entry.judgements).filter(|judgement| !expected(judgement));
+    let mut unexpected =
+        entries.iter().flat_map(|entry| &entry.judgements).filter(|judgement| !expected(judgement));
     let mut status = 0;
     // One claim that is wrong outranks any number of undecided ones.
     if unexpected.clone().any(|judgement| judgement.verdict == Verdict::Undecided) {
@@ -141,7 +143,9 @@ mod tests {
     fn what_is_wrong_outranks_what_is_undecided() {
         use Verdict::{Proved, Refuted, Undecided};
         let of = |pairs: &[(Verdict, Verdict)]| {
-            status(&[entry(pairs.iter().map(|(verdict, expected)| judgement("a", *verdict, *expected)).collect())])
+            status(&[entry(
+                pairs.iter().map(|(verdict, expected)| judgement("a", *verdict, *expected)).collect(),
+            )])
         };
         assert_eq!(of(&[]), 0);
         assert_eq!(of(&[(Proved, Proved), (Refuted, Refuted), (Undecided, Undecided)]), 0);

@@ -22,7 +22,8 @@ const NAME: [usize; 2] = [5, 44];
 pub(super) fn output(entries: &[Entry], time: Duration) -> String {
     let mut parts = Vec::new();
     parts.extend(table(entries));
-    let ids = entries.iter().flat_map(|entry| &entry.judgements).map(|judgement| judgement.id.chars().count());
+    let ids =
+        entries.iter().flat_map(|entry| &entry.judgements).map(|judgement| judgement.id.chars().count());
     let id = ids.max().unwrap_or(0).clamp(ID[0], ID[1]);
     parts.extend(entries.iter().filter(|entry| !entry.judgements.is_empty()).map(|entry| claims(entry, id)));
     parts.push(summary(entries, id, time));
@@ -35,7 +36,8 @@ fn table(entries: &[Entry]) -> Option<String> {
     let width = sweeps.iter().map(|entry| entry.name.chars().count()).max()?.clamp(NAME[0], NAME[1]);
     let row = |name: &str, cells: [String; 7]| {
         // A name that is too long has a line of its own.
-        let (above, name) = if name.chars().count() > width { (format!("{name}\n"), "") } else { (String::new(), name) };
+        let (above, name) =
+            if name.chars().count() > width { (format!("{name}\n"), "") } else { (String::new(), name) };
         let cells = cells.map(|cell| format!(" {cell:<7}")).concat();
         format!("{above}{}\n", format!("{name:<width$}{cells}").trim_end())
     };
@@ -93,7 +95,8 @@ fn claim(judgement: &Judgement, id: usize) -> String {
     if as_expected && judgement.verdict == Verdict::Proved {
         return text;
     }
-    let expectation = if as_expected { "as expected".to_owned() } else { format!("expected {}", judgement.expected) };
+    let expectation =
+        if as_expected { "as expected".to_owned() } else { format!("expected {}", judgement.expected) };
     detail(&judgement.verdict.to_string(), &expectation);
     detail("derived", &judgement.derived);
     if let Some(witness) = &judgement.witness {
@@ -128,10 +131,15 @@ fn summary(entries: &[Entry], id: usize, time: Duration) -> String {
         text += &format!("all as expected, in {}\n", seconds(time));
     } else {
         let verb = if wrong.len() == 1 { "is" } else { "are" };
-        text += &format!("{} {verb} not as expected (marked with !), in {}\n", counted(wrong.len(), "clause"), seconds(time));
+        text += &format!(
+            "{} {verb} not as expected (marked with !), in {}\n",
+            counted(wrong.len(), "clause"),
+            seconds(time)
+        );
         for judgement in wrong {
             let first = format!("! {:<id$} ", judgement.id);
-            let what = format!("{}, expected {}, in {}", judgement.verdict, judgement.expected, judgement.sweep);
+            let what =
+                format!("{}, expected {}, in {}", judgement.verdict, judgement.expected, judgement.sweep);
             text += &wrapped(&first, &what);
             text.push('\n');
         }
@@ -187,7 +195,10 @@ mod tests {
 
     #[test]
     fn what_is_unexpected_is_marked_and_explained() {
-        let text = output(&[entry(vec![judgement("a", Refuted, Proved), judgement("b", Proved, Proved)])], Duration::ZERO);
+        let text = output(
+            &[entry(vec![judgement("a", Refuted, Proved), judgement("b", Proved, Proved)])],
+            Duration::ZERO,
+        );
         let expected = "\
 lemma s
 ! ✗ a        degree(X) == (2, 9)
