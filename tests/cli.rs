@@ -130,6 +130,9 @@ fn verify_says_what_is_expected_by_its_status() {
         (format!("{truth}; {lie};"), 1),
         (format!("{truth}, expect refuted;"), 1),
         (format!("{truth}, expect undecided;"), 1),
+        ("claim \"u\": a > 0;".to_owned(), 3),
+        ("claim \"u\": a > 0, expect undecided;".to_owned(), 0),
+        (format!("claim \"u\": a > 0; {lie};"), 1),
     ] {
         let run = lemma(&claims);
         assert_eq!(run.status, status, "{claims}\n{}{}", run.out, run.err);
@@ -371,6 +374,9 @@ fn eval_needs_every_symbol() {
 fn eval_says_where_there_is_nothing() {
     let hyperbola = ["eval", "-", "--sweep", "hyperbola", "--v", "1"];
     run_with(SYMBOLS.as_bytes(), &[&hyperbola[..], &["--u", "0"]].concat()).refused("pole at u = 0, v = 1");
+    let infinite = ["--u", "0", "--what", "homogeneous", "--format", "json"];
+    let json = run_with(SYMBOLS.as_bytes(), &[&hyperbola[..], &infinite].concat()).json(0);
+    assert_eq!(strings(&json["exact"]), ["0", "0", "1", "0"]);
     run(&["eval", "scaled_rotation_example_1", "--u", "1", "--v", "1/2", "--what", "unit-normal"])
         .refused("singular at u = 1, v = 1/2");
     run(&["eval", "scaled_rotation_example_1", "--u", "1/0", "--v", "0"]).refused("division by zero");

@@ -40,7 +40,8 @@ pub fn built() -> &'static Built {
     static BUILT: OnceLock<Built> = OnceLock::new();
     BUILT.get_or_init(|| {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["build", "--offline", "--message-format", "json", "--package", "hodograph-cli"]);
+        // With examples the features of all packages are those of `cargo test`, so that only the command is compiled.
+        cargo.args(["build", "--offline", "--message-format", "json", "--workspace", "--bins", "--examples"]);
         cargo.current_dir(env!("CARGO_MANIFEST_DIR")).env("CARGO_TARGET_DIR", target_folder());
         if !profile_folder().ends_with("debug") {
             cargo.arg("--release");

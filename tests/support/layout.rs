@@ -10,6 +10,9 @@ use crate::digest::fnv1a;
 /// The most terms of a polynomial that are written out.
 const MOST_TERMS: usize = 60;
 
+/// The most characters of a polynomial in one line.
+const SHORT: usize = 60;
+
 /// The most characters of a coefficient that are written out.
 const WIDEST: usize = 160;
 
@@ -140,11 +143,13 @@ fn control_net(page: &mut Page<'_>, derivation: &Derivation) {
 struct Page<'a> {
     text: String,
     parameters: &'a [Variable; 2],
+    /// Long factors, which are written out once and named F1, F2, … from then on.
+    named: Vec<Poly>,
 }
 
 impl Page<'_> {
     fn new(parameters: &[Variable; 2]) -> Page<'_> {
-        Page { text: String::new(), parameters }
+        Page { text: String::new(), parameters, named: Vec::new() }
     }
 
     fn heading(&mut self, heading: &str) {
@@ -159,7 +164,7 @@ impl Page<'_> {
     /// A polynomial in the parameters: a line for each of their monomials, with its coefficient; short ones in one line.
     fn polynomial(&mut self, name: &str, poly: &Poly) {
         let whole = poly.to_string();
-        if whole.chars().count() <= 60 {
+        if whole.chars().count() <= SHORT {
             return self.line(&format!("{name}{whole}"));
         }
         let terms = poly.coefficients_of(self.parameters);
@@ -184,25 +189,30 @@ impl Page<'_> {
 
     /// unit · Π factorᵉ.
     fn product(&mut self, name: &str, unit: &Poly, factors: &[(Poly, u32)]) {
-        let mut unnamed = Vec::new();
+        let first_new = self.named.len();
         let mut product: Vec<String> = Vec::new();
         if !unit.is_one() || factors.is_empty() {
-            product.push(shortened(&unit.to_string()));
+            product.push(in_parentheses(unit.to_string()));
         }
         for (factor, exponent) in factors {
             let text = factor.to_string();
-            let base = if text.chars().count() <= 60 {
-                format!("({text})")
-            } else {
-                unnamed.push(factor);
-                format!("F{}", unnamed.len())
-            };
+            let base = if text.chars().count() <= SHORT { in_parentheses(text) } else { self.name_of(factor) };
             product.push(if *exponent == 1 { base } else { format!("{base}^{exponent}") });
         }
         self.line(&format!("{name}{}", product.join(" · ")));
-        for (index, factor) in unnamed.into_iter().enumerate() {
-            self.polynomial(&format!("  with F{} = ", index + 1), factor);
+        for index in first_new..self.named.len() {
+            let factor = self.named[index].clone();
+            self.polynomial(&format!("  with F{} = ", index + 1), &factor);
         }
+    }
+
+    fn name_of(&mut self, factor: &Poly) -> String {
+        let known = self.named.iter().position(|known| known == factor);
+        let index = known.unwrap_or_else(|| {
+            self.named.push(factor.clone());
+            self.named.len() - 1
+        });
+        format!("F{}", index + 1)
     }
 
     fn fraction(&mut self, name: &str, fraction: &Fraction) {
@@ -211,6 +221,10 @@ impl Page<'_> {
             self.product("  over ", &Poly::one(), fraction.factors());
         }
     }
+}
+
+fn in_parentheses(sum: String) -> String {
+    if sum.contains(' ') { format!("({})", shortened(&sum)) } else { shortened(&sum) }
 }
 
 fn shortened(number: &str) -> String {

@@ -3,6 +3,7 @@
 pub(crate) mod control_net;
 pub(crate) mod degree;
 pub(crate) mod derivation;
+pub(crate) mod direction;
 pub(crate) mod homogeneous;
 pub(crate) mod normal;
 pub(crate) mod singular;

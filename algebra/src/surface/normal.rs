@@ -2,6 +2,7 @@
 
 use num_traits::One;
 
+use super::direction::Direction;
 use super::homogeneous::Homogeneous;
 use crate::geometry::sample::sample_sign_on_box;
 use crate::{Fraction, Interval, Poly, Rational, SquareSplit, Variable, Vector, budget};
@@ -24,29 +25,20 @@ impl Normal {
     /// The normal of a surface; `None` if `R_u × R_v` vanishes identically, so that it is no surface but a curve or a
     /// point. `domain` is where the parameters run.
     ///
-    /// The derivatives keep the factors of the weight as their denominators, so only these factors are tried; the gcd of
-    /// the three components then finds the factor that no denominator announces, such as `1 + κ(v)x(u)`.
+    /// The derivatives keep the factors of the weight as their denominators; each is split into a factor and a direction,
+    /// and only the directions are multiplied.
     #[must_use]
     pub fn of(surface: &Homogeneous, domain: &[Interval; 2]) -> Option<Normal> {
         let [u, v] = surface.parameters();
         let position = surface.cartesian();
-        let (along_u, along_v) = (position.derivative(u), position.derivative(v));
-        let cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v).reduced());
-        if cross.is_zero() {
-            return None;
+        let along_u = Direction::of(&position.derivative(u))?;
+        let along_v = Direction::of(&position.derivative(v))?;
+        let mut cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v))?;
+        if sample_sign_on_box(&cross.factor, surface.parameters(), domain).is_lt() {
+            cross = cross.reversed();
         }
-        let common = Fraction::common_denominator(cross.components());
-        let numerators = cross.components().each_ref().map(|component| component.numerator_over(&common));
-        let gcd = budget::doing("the common factor of the normal", || Poly::gcd_many(&numerators));
-        let mut numerator = numerators.map(|component| component.exact_div(&gcd).unwrap_or(component));
-        let mut content = Poly::common_content(&numerator);
-        let mut factor = Fraction::new(gcd.clone(), common.clone());
-        if sample_sign_on_box(&factor, surface.parameters(), domain).is_lt() {
-            content = -content;
-        }
-        factor = factor.scale(&content);
-        numerator = numerator.map(|component| component.scale(&content.recip()).pruned());
-        let norm_squared: Poly = numerator.iter().map(|component| component * component).sum();
+        let norm_squared = cross.norm2();
+        let Direction { factor, numerator } = cross;
         let split = budget::doing("the square root of |R_u x R_v|^2", || norm_squared.square_split());
         // Factors in the symbols alone are numbers, as far as the parameters go.
         let mut split = split;

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::fmt;
 
+use super::direction::Direction;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
 use crate::geometry::curve::rational_root;
@@ -51,8 +52,13 @@ impl ParametricSpeed {
         domain: &[Interval; 2],
     ) -> [ParametricSpeed; 2] {
         parameters.each_ref().map(|parameter| {
-            let squared = position.derivative(parameter).norm2().reduced();
-            let root = if squared.is_zero() { Some(Fraction::zero()) } else { rational_root(&squared).ok() };
+            let Some(direction) = Direction::of(&position.derivative(parameter)) else {
+                return ParametricSpeed { squared: Fraction::zero(), root: Some(Fraction::zero()), certified: false };
+            };
+            // |f·N| = |f|·|N|: only the length of the direction needs a root.
+            let norm2 = Fraction::from(direction.norm2());
+            let squared = &(&direction.factor * &direction.factor) * &norm2;
+            let root = rational_root(&norm2).ok().map(|length| &direction.factor * &length);
             let oriented = root.map(|root| {
                 let negative = sample_sign_on_box(&root, parameters, domain).is_lt();
                 if negative { -&root } else { root }

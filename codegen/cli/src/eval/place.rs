@@ -7,7 +7,7 @@ use hodograph_algebra::{Fraction, Poly, SweptSurface, Variable, Vector};
 use crate::failure::Failure;
 use crate::radical;
 
-/// A surface whose symbols have values, and a point of its parameter plane that is no pole.
+/// A surface whose symbols have values, and a point of its parameter plane.
 pub(super) struct Place {
     surface: SweptSurface,
     cartesian: Vector,
@@ -19,7 +19,7 @@ impl Place {
     /// The place of the surface with these values of the symbols and parameters.
     ///
     /// # Errors
-    /// A pole; values of the symbols for which there is no surface.
+    /// Values of the symbols for which there is no surface.
     pub(super) fn new(
         surface: &SweptSurface,
         symbols: &BTreeMap<Variable, Poly>,
@@ -30,12 +30,19 @@ impl Place {
         let values: BTreeMap<Variable, Poly> = names.zip(parameters.iter().cloned()).collect();
         let fractions = values.iter().map(|(name, value)| (name.clone(), value.clone().into())).collect();
         let cartesian = surface.homogeneous().cartesian();
-        let place = Place { surface, cartesian, values, fractions };
-        let [weight, coordinates @ ..] = place.homogeneous();
+        Ok(Place { surface, cartesian, values, fractions })
+    }
+
+    /// Checks that the surface has a point here.
+    ///
+    /// # Errors
+    /// A pole, or a point where all homogeneous coordinates vanish.
+    pub(super) fn check_finite(&self) -> Result<(), Failure> {
+        let [weight, coordinates @ ..] = self.homogeneous();
         if !weight.is_zero() {
-            return Ok(place);
+            return Ok(());
         }
-        let at = place.description();
+        let at = self.description();
         Err(if coordinates.iter().all(Poly::is_zero) {
             Failure::new(format!(
                 "W, X, Y and Z all vanish at {at}, so the surface has no definite point there"

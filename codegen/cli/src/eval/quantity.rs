@@ -29,6 +29,10 @@ pub(super) fn distance(surface: &SweptSurface, what: Quantity) -> Option<Variabl
 /// # Errors
 /// A pole, or a point without a normal where one is needed.
 pub(super) fn evaluate(place: &Place, what: Quantity, distance: Option<&Poly>) -> Result<Vec<Poly>, Failure> {
+    // At a pole the homogeneous coordinates are a point at infinity.
+    if what != Quantity::Homogeneous {
+        place.check_finite()?;
+    }
     match what {
         Quantity::Point => place.point(),
         Quantity::Homogeneous => Ok(place.homogeneous().to_vec()),
