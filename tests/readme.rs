@@ -75,7 +75,7 @@ fn on_the_binary(command: &str) -> String {
 
 #[test]
 fn blocks_are_read_as_meant() {
-    let text = "# Title\n```sh\ncargo run --release\n# a comment\nhodograph verify \\\\\n  a.sweep\n```\ntext\n```console\n$ hodograph derive x\n\
+    let text = "# Title\n```sh\ncargo run --release\n# a comment\nhodograph verify \\\n  a.sweep\n```\ntext\n```console\n$ hodograph derive x\n\
                 line one\nline two\n```\n```rust\n$ no command\n```\n";
     let shown = |line, command: &str, output: &[&str]| Shown {
         line,

@@ -38,7 +38,8 @@ impl SingularLocus {
         [&self.factor_zeros, &self.normal_zeros].iter().all(|zeros| zeros.as_ref().is_some_and(ZeroSet::is_empty))
     }
 
-    /// The zeros, one text each, such as `u = 1` or `u^2 - v = 0`; the word `undetermined` in place of those that depend on
+    /// The zeros, one text each, such as `u = 1`, or for a curve its equation, such as `u^2 - v = 0`, and where it meets the
+    /// boundary of the domain; the word `undetermined` in place of those that depend on
     /// symbols. Numbers print as what `over` maps them to.
     #[must_use]
     pub fn descriptions(&self, mut over: impl FnMut(&Poly) -> Poly) -> Vec<String> {
@@ -49,7 +50,7 @@ impl SingularLocus {
                 continue;
             };
             for line in &zeros.lines {
-                let value = line.exact().map_or_else(|| line.to_string(), |number| over(number).to_string());
+                let value = line.exact().map_or_else(|| line.refined(16).to_string(), |n| over(n).to_string());
                 all.push(format!("{} = {value}", line.variable()));
             }
             for point in &zeros.points {
@@ -58,7 +59,18 @@ impl SingularLocus {
             }
             for curve in &zeros.curves {
                 let certainty = if curve.crossing.is_some() { "" } else { " (undecided)" };
-                all.push(format!("{} = 0{certainty}", over(&curve.polynomial)));
+                let mut text = format!("{} = 0{certainty}", over(&curve.polynomial));
+                let mut ends = Vec::new();
+                for edge in &curve.edges {
+                    for root in &edge.roots {
+                        let value = root.exact().map_or_else(|| root.refined(16).to_string(), |n| over(n).to_string());
+                        ends.push(format!("{} = {}, {} = {value}", edge.fixed, over(&edge.value), root.variable()));
+                    }
+                }
+                if !ends.is_empty() {
+                    text.push_str(&format!(", on the boundary at {}", ends.join("; ")));
+                }
+                all.push(text);
             }
         }
         all.sort();

@@ -18,7 +18,7 @@ impl Factors {
         let factors = homogeneous.weight_factors().to_vec();
         let product: Poly = factors.iter().map(|(factor, exponent)| factor.pow(*exponent)).product();
         match weight.exact_div(&product) {
-            Some(unit) if unit.is_constant() => Factors { unit, factors },
+            Some(unit) if unit.is_constant() => Factors { unit, factors }.with_rational_unit(),
             _ => Factors::of(weight, homogeneous.parameters()),
         }
     }
@@ -41,10 +41,25 @@ impl Factors {
             }
         }
         if rest.is_constant() {
-            return Factors { unit: rest, factors };
+            return Factors { unit: rest, factors }.with_rational_unit();
         }
         factors.push((rest.primitive(), 1));
         Factors { unit: Poly::constant(rest.content().clone()), factors }
+    }
+
+    /// The same product with an irrational unit multiplied into the longest of the simple factors: over a number field that
+    /// is how the formula has it, mostly.
+    fn with_rational_unit(mut self) -> Factors {
+        if self.unit.to_rational().is_some() {
+            return self;
+        }
+        let simple = self.factors.iter_mut().filter(|(_, exponent)| *exponent == 1);
+        if let Some((factor, _)) = simple.max_by_key(|(factor, _)| factor.terms().len()) {
+            let product = &*factor * &self.unit;
+            *factor = product.primitive();
+            self.unit = Poly::constant(product.content().clone());
+        }
+        self
     }
 }
 
