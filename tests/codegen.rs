@@ -76,8 +76,13 @@ fn compiles(folder: &Path, text: &str, arguments: &[&str]) -> Result<(), String>
     let lints = ["-Dwarnings", "-Dmissing_docs", "-Dunsafe_code", "-Dunused", "-Drust_2018_idioms"];
     let file = folder.join("emitted.rs");
     std::fs::write(&file, text).unwrap();
-    let output =
-        rustc().current_dir(folder).args(["--edition", "2024"]).args(lints).args(arguments).arg(&file).output();
+    let output = rustc()
+        .current_dir(folder)
+        .args(["--edition", "2024"])
+        .args(lints)
+        .args(arguments)
+        .arg(&file)
+        .output();
     let output = output.unwrap();
     if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
 }
@@ -126,7 +131,10 @@ fn standalone_code_needs_nothing_and_gives_the_same_bits() {
         }
     };
     let program = std::format!("//! A program.\n{text}\n{}", format(main).unwrap());
-    assert_eq!(compiles(folder.path(), &program, &["-Adead_code", "--crate-name", "emitted", "-o", "emitted"]), Ok(()));
+    assert_eq!(
+        compiles(folder.path(), &program, &["-Adead_code", "--crate-name", "emitted", "-o", "emitted"]),
+        Ok(())
+    );
     let output = std::process::Command::new(folder.path().join("emitted")).output().unwrap();
     assert!(output.status.success());
     let mut expected = String::new();

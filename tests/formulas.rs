@@ -47,7 +47,8 @@ fn the_library_holds_every_file() {
     let sources = hodograph::sources();
     let held: BTreeSet<(String, String)> =
         sources.iter().map(|source| (source.name.to_owned(), source.text.to_owned())).collect();
-    let names = |set: &BTreeSet<(String, String)>| set.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    let names =
+        |set: &BTreeSet<(String, String)>| set.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
     assert_eq!(names(&found), names(&held), "generated/formulas and generated/src/sources.rs");
     assert_eq!(sources.len(), held.len(), "a file is named twice");
     assert!(found == held, "a text is not up to date");
@@ -79,7 +80,8 @@ fn every_snapshot_is_of_something() {
     let mut expected: BTreeSet<String> =
         sweeps().into_iter().map(|entry| format!("formulas__{}.snap", entry.model.name)).collect();
     let claims = |name: &String| format!("formulas__claims_{name}.snap");
-    let has_claims = files().into_iter().filter(|file| file.models.iter().any(|model| !model.claims.is_empty()));
+    let has_claims =
+        files().into_iter().filter(|file| file.models.iter().any(|model| !model.claims.is_empty()));
     expected.extend(has_claims.map(|file| claims(&file.stem)));
     for entry in entries() {
         let name = entry.model.name;

@@ -152,7 +152,10 @@ fn floats_are_as_near_to_the_exact_values_as_stated() {
                 errors.of_components().iter().map(|error| format!("{error:8.2}")).collect();
             let components = components.join(" ");
             let name = quantity.name();
-            _ = writeln!(table, "  {name:<14}{found:8.2} of {allowed:6.1} allowed; by component {components}");
+            _ = writeln!(
+                table,
+                "  {name:<14}{found:8.2} of {allowed:6.1} allowed; by component {components}"
+            );
             if found > allowed {
                 excessive.push(format!("{} of {}: {found:.2} > {allowed}", name, surface.name()));
             }
@@ -183,7 +186,12 @@ fn surfaces_state_what_was_derived() {
         assert_eq!(surface.degree(), (degree.u as u32, degree.v as u32), "{}", surface.name());
         let domain = surface.domain();
         for (ends, interval) in [domain.u, domain.v].iter().zip(&entry.derivation.domain) {
-            assert_eq!(ends.map(Ok), [nearest(interval.lower()), nearest(interval.upper())], "{}", surface.name());
+            assert_eq!(
+                ends.map(Ok),
+                [nearest(interval.lower()), nearest(interval.upper())],
+                "{}",
+                surface.name()
+            );
         }
         let exact = entry.derivation.control_net.points.iter().flatten();
         let exact: Vec<[f64; 4]> =
@@ -220,7 +228,9 @@ fn grids_have_the_bits_of_points() {
             let (us, vs): (Vec<f64>, Vec<f64>) = {
                 let mut list = |count: usize, end: usize| -> Vec<f64> {
                     let numbers = (0..count).map(|_| random.next_f64());
-                    let pair = |t| if end == 0 { surface.domain().at(t, 0.0).0 } else { surface.domain().at(0.0, t).1 };
+                    let pair = |t| {
+                        if end == 0 { surface.domain().at(t, 0.0).0 } else { surface.domain().at(0.0, t).1 }
+                    };
                     numbers.map(pair).collect()
                 };
                 (list(m, 0), list(n, 1))
@@ -229,7 +239,8 @@ fn grids_have_the_bits_of_points() {
             assert_eq!(surface.grid(&us, &vs, &mut out), Ok(()));
             for (j, &v) in vs.iter().enumerate() {
                 for (i, &u) in us.iter().enumerate() {
-                    let (found, point) = (out[j * m + i].map(f64::to_bits), surface.point(u, v).map(f64::to_bits));
+                    let (found, point) =
+                        (out[j * m + i].map(f64::to_bits), surface.point(u, v).map(f64::to_bits));
                     assert_eq!(found, point, "{} at ({u}, {v})", surface.name());
                 }
             }
@@ -259,7 +270,8 @@ fn singular_points_are_explicit() {
 
 #[test]
 fn normals_are_of_unit_length_and_never_nan() {
-    let floats = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e-320, 1e160];
+    let floats =
+        [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e-320, 1e160];
     for_each(|surface, _| {
         let places = floats.iter().flat_map(|&u| floats.iter().map(move |&v| (u, v)));
         for (u, v) in places.chain(parameters(surface)) {
@@ -269,7 +281,11 @@ fn normals_are_of_unit_length_and_never_nan() {
                 let allowed = 2.0 * allowance(Quantity::UnitNormal) * UNIT;
                 let inside = surface.domain().contains(u, v);
                 assert!(length.is_finite(), "{} at ({u}, {v})", surface.name());
-                assert!(!inside || (length - 1.0).abs() <= allowed, "{} at ({u}, {v}): {length}", surface.name());
+                assert!(
+                    !inside || (length - 1.0).abs() <= allowed,
+                    "{} at ({u}, {v}): {length}",
+                    surface.name()
+                );
             }
             if let Some(point) = offset.regular() {
                 assert!(point.iter().all(|x| x.is_finite()), "{} at ({u}, {v})", surface.name());

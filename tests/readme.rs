@@ -31,7 +31,9 @@ fn commands(text: &str) -> Vec<Shown> {
             continue;
         }
         let command = match language.as_deref() {
-            Some("sh" | "bash" | "shell") => Some(line).filter(|line| !line.trim().is_empty() && !line.starts_with('#')),
+            Some("sh" | "bash" | "shell") => {
+                Some(line).filter(|line| !line.trim().is_empty() && !line.starts_with('#'))
+            }
             Some("console") => line.strip_prefix("$ ").or_else(|| continued.then_some(line)),
             _ => continue,
         };
@@ -62,10 +64,9 @@ fn is_left_out(command: &str) -> bool {
 /// The command with `cargo run …` in place of the built binary.
 fn on_the_binary(command: &str) -> String {
     let binary = format!("'{}'", built().binary.display());
-    for start in ["cargo run --release --", "cargo run --", "cargo run --release", "cargo run"] {
-        if let Some(rest) = command.strip_prefix(start) {
-            return format!("{binary}{rest}");
-        }
+    if let Some(arguments) = command.strip_prefix("cargo run") {
+        let arguments = arguments.strip_prefix(" --release").unwrap_or(arguments);
+        return format!("{binary}{}", arguments.strip_prefix(" --").unwrap_or(arguments));
     }
     match command.strip_prefix("hodograph") {
         Some(rest) if rest.is_empty() || rest.starts_with(' ') => format!("{binary}{rest}"),
@@ -89,6 +90,12 @@ fn blocks_are_read_as_meant() {
     ];
     assert_eq!(commands(text), expected);
     assert!(is_left_out("cargo test") && !is_left_out("cargo run --release"));
+    let verify = format!("'{}' verify a.sweep", built().binary.display());
+    for command in
+        ["cargo run --release -- verify a.sweep", "cargo run -- verify a.sweep", "hodograph verify a.sweep"]
+    {
+        assert_eq!(on_the_binary(command), verify);
+    }
 }
 
 #[test]
@@ -101,7 +108,8 @@ fn commands_do_what_is_shown() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["generated", "algebra", "codegen"] {
         #[cfg(unix)]
-        std::os::unix::fs::symlink(root().canonicalize().unwrap().join(name), folder.path().join(name)).unwrap();
+        std::os::unix::fs::symlink(root().canonicalize().unwrap().join(name), folder.path().join(name))
+            .unwrap();
     }
     for shown in run {
         let command = on_the_binary(&shown.command);

@@ -9,6 +9,7 @@ mod fraction;
 mod geometry;
 mod modular;
 mod number;
+mod operators;
 mod poly;
 mod real;
 mod surface;

@@ -23,7 +23,10 @@ pub struct Built {
 /// If a test runs elsewhere.
 #[must_use]
 pub fn target_folder() -> PathBuf {
-    profile_folder().parent().map(Path::to_owned).unwrap_or_else(|| panic!("tests are built in a target folder"))
+    profile_folder()
+        .parent()
+        .map(Path::to_owned)
+        .unwrap_or_else(|| panic!("tests are built in a target folder"))
 }
 
 fn profile_folder() -> PathBuf {

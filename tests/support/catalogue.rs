@@ -44,7 +44,8 @@ pub fn folder() -> PathBuf {
 /// If the folder cannot be read.
 #[must_use]
 pub fn paths() -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder()).unwrap_or_else(|error| panic!("{}: {error}", folder().display()));
+    let entries =
+        std::fs::read_dir(folder()).unwrap_or_else(|error| panic!("{}: {error}", folder().display()));
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "sweep"));
     paths.sort();

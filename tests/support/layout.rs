@@ -57,14 +57,8 @@ fn degrees(page: &mut Page<'_>, derivation: &Derivation) {
     page.heading("Degrees in (u, v)");
     let homogeneous = &derivation.homogeneous;
     let [w, x, y, z] = homogeneous.coordinates();
-    let groups: [(&str, &[&Poly]); 6] = [
-        ("W", &[w]),
-        ("X", &[x]),
-        ("Y", &[y]),
-        ("Z", &[z]),
-        ("W and Z", &[w, z]),
-        ("X and Y", &[x, y]),
-    ];
+    let groups: [(&str, &[&Poly]); 6] =
+        [("W", &[w]), ("X", &[x]), ("Y", &[y]), ("Z", &[z]), ("W and Z", &[w, z]), ("X and Y", &[x, y])];
     for (name, group) in groups {
         let degree = Bidegree::of_group(group.iter().copied(), &derivation.parameters);
         page.line(&format!("{name:<16}{degree}"));
@@ -122,7 +116,9 @@ fn offset(page: &mut Page<'_>, derivation: &Derivation) {
             page.line(&format!("{:<16}{}", "patch", surface.degree()));
             coordinates(page, surface);
         }
-        Offset::SymbolicRadical { radicand } => page.polynomial("rational, over the square root of ", radicand),
+        Offset::SymbolicRadical { radicand } => {
+            page.polynomial("rational, over the square root of ", radicand)
+        }
         Offset::Irrational { odd } => page.polynomial("not rational: |N|² has the odd factor ", odd),
         other => page.line(&format!("{other:?}")),
     }
@@ -196,7 +192,8 @@ impl Page<'_> {
         }
         for (factor, exponent) in factors {
             let text = factor.to_string();
-            let base = if text.chars().count() <= SHORT { in_parentheses(text) } else { self.name_of(factor) };
+            let base =
+                if text.chars().count() <= SHORT { in_parentheses(text) } else { self.name_of(factor) };
             product.push(if *exponent == 1 { base } else { format!("{base}^{exponent}") });
         }
         self.line(&format!("{name}{}", product.join(" · ")));
@@ -229,5 +226,9 @@ fn in_parentheses(sum: String) -> String {
 
 fn shortened(number: &str) -> String {
     let length = number.chars().count();
-    if length <= WIDEST { number.to_owned() } else { format!("{length} characters, digest {}", fnv1a(number)) }
+    if length <= WIDEST {
+        number.to_owned()
+    } else {
+        format!("{length} characters, digest {}", fnv1a(number))
+    }
 }

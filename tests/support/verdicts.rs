@@ -18,7 +18,8 @@ const SHOWN: usize = 160;
 /// With the report of a mistake in a claim.
 #[must_use]
 pub fn judgements(formulas: &Formulas) -> Vec<Judgement> {
-    let claims = formulas.models.iter().flat_map(|model| model.claims.iter().map(move |claim| (model, claim)));
+    let claims =
+        formulas.models.iter().flat_map(|model| model.claims.iter().map(move |claim| (model, claim)));
     claims
         .map(|(model, claim)| {
             model.check(claim, budget::DEFAULT_LIMIT).unwrap_or_else(|diagnostic| {

@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::Neg;
 
+use crate::operators::binary_operator;
 use crate::{Poly, Rational, minimize_field, ratio};
 
 /// A complex number `re + I·im`, or a polynomial with such coefficients: both parts are [`Poly`]s.
@@ -194,47 +195,12 @@ impl fmt::Display for Complex {
     }
 }
 
-/// Implements a binary operator for values and references.
-macro_rules! operator {
-    ($Op:ident, $op:ident, |$a:ident, $b:ident| $result:expr) => {
-        impl $Op<&Complex> for &Complex {
-            type Output = Complex;
-
-            fn $op(self, other: &Complex) -> Complex {
-                let ($a, $b) = (self, other);
-                $result
-            }
-        }
-
-        impl $Op<Complex> for Complex {
-            type Output = Complex;
-
-            fn $op(self, other: Complex) -> Complex {
-                $Op::$op(&self, &other)
-            }
-        }
-
-        impl $Op<&Complex> for Complex {
-            type Output = Complex;
-
-            fn $op(self, other: &Complex) -> Complex {
-                $Op::$op(&self, other)
-            }
-        }
-
-        impl $Op<Complex> for &Complex {
-            type Output = Complex;
-
-            fn $op(self, other: Complex) -> Complex {
-                $Op::$op(self, &other)
-            }
-        }
-    };
-}
-
-operator!(Add, add, |a, b| Complex { re: &a.re + &b.re, im: &a.im + &b.im });
-operator!(Sub, sub, |a, b| Complex { re: &a.re - &b.re, im: &a.im - &b.im });
-operator!(Mul, mul, |a, b| Complex { re: &a.re * &b.re - &a.im * &b.im, im: &a.re * &b.im + &a.im * &b.re });
+binary_operator!(Complex: Add add, |a, b| Complex { re: &a.re + &b.re, im: &a.im + &b.im });
+binary_operator!(Complex: Sub sub, |a, b| Complex { re: &a.re - &b.re, im: &a.im - &b.im });
+binary_operator!(Complex: Mul mul, |a, b| Complex {
+    re: &a.re * &b.re - &a.im * &b.im,
+    im: &a.re * &b.im + &a.im * &b.re,
+});
 
 impl Neg for &Complex {
     type Output = Complex;

@@ -2,12 +2,14 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use std::ops::Neg;
 use std::str::FromStr;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Num, One, Signed, ToPrimitive, Zero};
+
+use crate::operators::binary_operator;
 
 /// An integer of any size.
 ///
@@ -239,75 +241,36 @@ impl Neg for &Int {
     }
 }
 
-/// Implements a binary operator for all four combinations of values and references, and its assignment form.
-macro_rules! operator {
-    ($Op:ident, $op:ident, $OpAssign:ident, $op_assign:ident, |$a:ident, $b:ident| $small:expr, $symbol:tt) => {
-        impl $Op<&Int> for &Int {
-            type Output = Int;
+/// Spends the work of a product of numbers that are so large that it counts.
+fn charge(a: &BigInt, b: &BigInt) {
+    const COUNTS: u64 = 1 << 12;
+    let words = [a, b].map(|value| value.bits() / 64);
+    if words.iter().all(|words| *words > COUNTS) {
+        crate::budget::spend((words[0] / 64).saturating_mul(words[1]));
+    }
+}
 
-            #[inline]
-            fn $op(self, other: &Int) -> Int {
-                match (&self.0, &other.0) {
-                    (Small(a), Small(b)) => {
-                        let ($a, $b) = (*a, *b);
-                        $small
-                    }
-                    (Big(a), Big(b)) => (&**a $symbol &**b).into(),
-                    (Big(a), Small(b)) => (&**a $symbol *b).into(),
-                    (Small(a), Big(b)) => (*a $symbol &**b).into(),
-                }
+/// One arithmetic operator: words are combined in a type that holds every result, big values by their own operator.
+macro_rules! arithmetic {
+    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $symbol:tt) => {
+        binary_operator!(Int: $Op $op $OpAssign $op_assign, |a, b| match (&a.0, &b.0) {
+            // The quotient of `i64::MIN` by −1 does not fit a word either.
+            (Small(a), Small(b)) => (i128::from(*a) $symbol i128::from(*b)).into(),
+            (Big(a), Big(b)) => {
+                charge(a, b);
+                (&**a $symbol &**b).into()
             }
-        }
-
-        impl $Op<Int> for Int {
-            type Output = Int;
-
-            #[inline]
-            fn $op(self, other: Int) -> Int {
-                $Op::$op(&self, &other)
-            }
-        }
-
-        impl $Op<&Int> for Int {
-            type Output = Int;
-
-            #[inline]
-            fn $op(self, other: &Int) -> Int {
-                $Op::$op(&self, other)
-            }
-        }
-
-        impl $Op<Int> for &Int {
-            type Output = Int;
-
-            #[inline]
-            fn $op(self, other: Int) -> Int {
-                $Op::$op(self, &other)
-            }
-        }
-
-        impl $OpAssign<&Int> for Int {
-            #[inline]
-            fn $op_assign(&mut self, other: &Int) {
-                *self = $Op::$op(&*self, other);
-            }
-        }
-
-        impl $OpAssign<Int> for Int {
-            #[inline]
-            fn $op_assign(&mut self, other: Int) {
-                *self = $Op::$op(&*self, &other);
-            }
-        }
+            (Big(a), Small(b)) => (&**a $symbol *b).into(),
+            (Small(a), Big(b)) => (*a $symbol &**b).into(),
+        });
     };
 }
 
-operator!(Add, add, AddAssign, add_assign, |a, b| (i128::from(a) + i128::from(b)).into(), +);
-operator!(Sub, sub, SubAssign, sub_assign, |a, b| (i128::from(a) - i128::from(b)).into(), -);
-operator!(Mul, mul, MulAssign, mul_assign, |a, b| (i128::from(a) * i128::from(b)).into(), *);
-// The quotient of `i64::MIN` by −1 does not fit a word, hence the wider type.
-operator!(Div, div, DivAssign, div_assign, |a, b| (i128::from(a) / i128::from(b)).into(), /);
-operator!(Rem, rem, RemAssign, rem_assign, |a, b| (i128::from(a) % i128::from(b)).into(), %);
+arithmetic!(Add add AddAssign add_assign +);
+arithmetic!(Sub sub SubAssign sub_assign -);
+arithmetic!(Mul mul MulAssign mul_assign *);
+arithmetic!(Div div DivAssign div_assign /);
+arithmetic!(Rem rem RemAssign rem_assign %);
 
 impl Zero for Int {
     fn zero() -> Int {

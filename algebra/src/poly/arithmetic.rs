@@ -1,11 +1,12 @@
 //! Sums, differences, products and powers of polynomials.
 
 use std::iter::{Product, Sum};
-use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::Neg;
 
 use num_traits::{One, Zero};
 
 use super::{Poly, terms};
+use crate::operators::binary_operator;
 use crate::{Int, Rational, budget, rational_gcd};
 
 impl Poly {
@@ -26,6 +27,9 @@ impl Poly {
     pub fn pow(&self, exponent: u32) -> Poly {
         if exponent == 0 {
             return Poly::one();
+        }
+        if self.is_zero() {
+            return Poly::zero();
         }
         // The exponents of the result, so that an impossible power is refused at once.
         let degrees = self.ring.variables().iter().map(|variable| self.degree(variable).unwrap_or(0));
@@ -61,7 +65,7 @@ impl Poly {
             }
         }
         let terms = cells.min(multinomial);
-        let bits = self.terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0) + count.ilog2() as u64;
+        let bits = self.terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0) + u64::from(count.max(1).ilog2());
         let words = 1 + bits.saturating_mul(u64::from(exponent)) / 128;
         // The powers before it have fewer terms: a third of them on average, for two variables.
         terms.saturating_mul(count).saturating_mul(words).saturating_mul(u64::from(exponent)) / 4
@@ -104,59 +108,9 @@ impl Poly {
     }
 }
 
-/// Implements a binary operator for all four combinations of values and references, and its assignment form.
-macro_rules! operator {
-    ($Op:ident, $op:ident, $OpAssign:ident, $op_assign:ident, |$a:ident, $b:ident| $result:expr) => {
-        impl $Op<&Poly> for &Poly {
-            type Output = Poly;
-
-            fn $op(self, other: &Poly) -> Poly {
-                let ($a, $b) = (self, other);
-                $result
-            }
-        }
-
-        impl $Op<Poly> for Poly {
-            type Output = Poly;
-
-            fn $op(self, other: Poly) -> Poly {
-                $Op::$op(&self, &other)
-            }
-        }
-
-        impl $Op<&Poly> for Poly {
-            type Output = Poly;
-
-            fn $op(self, other: &Poly) -> Poly {
-                $Op::$op(&self, other)
-            }
-        }
-
-        impl $Op<Poly> for &Poly {
-            type Output = Poly;
-
-            fn $op(self, other: Poly) -> Poly {
-                $Op::$op(self, &other)
-            }
-        }
-
-        impl $OpAssign<&Poly> for Poly {
-            fn $op_assign(&mut self, other: &Poly) {
-                *self = $Op::$op(&*self, other);
-            }
-        }
-
-        impl $OpAssign<Poly> for Poly {
-            fn $op_assign(&mut self, other: Poly) {
-                *self = $Op::$op(&*self, &other);
-            }
-        }
-    };
-}
-
-operator!(Add, add, AddAssign, add_assign, |a, b| a.combine(b, 1));
-operator!(Sub, sub, SubAssign, sub_assign, |a, b| a.combine(b, -1));
-operator!(Mul, mul, MulAssign, mul_assign, |a, b| a.times(b));
+binary_operator!(Poly: Add add AddAssign add_assign, |a, b| a.combine(b, 1));
+binary_operator!(Poly: Sub sub SubAssign sub_assign, |a, b| a.combine(b, -1));
+binary_operator!(Poly: Mul mul MulAssign mul_assign, |a, b| a.times(b));
 
 impl Neg for &Poly {
     type Output = Poly;

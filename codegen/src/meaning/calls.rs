@@ -96,7 +96,11 @@ pub(super) fn substitute(
     let replace = |fraction: &Fraction| -> Result<Fraction, Fault> {
         let unknown = fraction.occurring_variables().into_iter().find(|variable| {
             let parameter = scope.calculus.parameter_of(variable);
-            parameter.is_some_and(|parameter| values.contains_key(parameter))
+            let changed = |parameter| {
+                let value = values.get(parameter);
+                value.is_some_and(|value| *value != Fraction::from(Poly::variable(parameter)))
+            };
+            parameter.is_some_and(changed)
         });
         if let Some(unknown) = unknown {
             return Err(Fault::new(span, format!("the unknown function `{unknown}` has no value at a point")));

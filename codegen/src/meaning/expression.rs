@@ -14,9 +14,9 @@ use crate::language::ast::{Expr, ExprKind, ProductOperator, SumOperator};
 /// The largest exponent, up or down, that an expression may raise to.
 pub const MAX_EXPONENT: i64 = 1000;
 
-/// How many levels of an expression are evaluated: in debug builds each takes some ten kilobytes of the stack, of which
+/// How many levels of an expression are evaluated: in debug builds each takes some twenty kilobytes of the stack, of which
 /// a thread may have two megabytes.
-const MAX_LEVELS: usize = 96;
+const MAX_LEVELS: usize = 64;
 
 thread_local! {
     /// The levels under way.
