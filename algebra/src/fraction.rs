@@ -148,7 +148,11 @@ impl Fraction {
     #[must_use]
     pub fn scale(&self, factor: &Rational) -> Fraction {
         let numerator = self.numerator.scale(factor);
-        if numerator.is_zero() { Fraction::zero() } else { Fraction { numerator, factors: self.factors.clone() } }
+        if numerator.is_zero() {
+            Fraction::zero()
+        } else {
+            Fraction { numerator, factors: self.factors.clone() }
+        }
     }
 
     /// The same rational function with every known factor cancelled as often as it divides the numerator.
@@ -225,7 +229,8 @@ impl Fraction {
         for (index, (_, exponent, derivative)) in moving.iter().enumerate() {
             let others = moving.iter().enumerate().filter(|(other, _)| *other != index);
             let others: Poly = others.map(|(_, (factor, ..))| (*factor).clone()).product();
-            let term = &(derivative * &Fraction::from(&self.numerator * others)) * &integer(i64::from(*exponent));
+            let term =
+                &(derivative * &Fraction::from(&self.numerator * others)) * &integer(i64::from(*exponent));
             numerator = &numerator - &term;
         }
         let denominator = Fraction {
@@ -319,7 +324,9 @@ impl Fraction {
 fn substitute_poly(poly: &Poly, values: &BTreeMap<Variable, Fraction>) -> Fraction {
     let polynomial: Option<BTreeMap<Variable, Poly>> = values
         .iter()
-        .map(|(variable, value)| value.factors.is_empty().then(|| (variable.clone(), value.numerator.clone())))
+        .map(|(variable, value)| {
+            value.factors.is_empty().then(|| (variable.clone(), value.numerator.clone()))
+        })
         .collect();
     if let Some(polynomial) = polynomial {
         return poly.evaluate(&polynomial).into();

@@ -28,9 +28,8 @@ fn nonzero() -> impl Strategy<Value = Poly> {
 }
 
 fn fraction() -> impl Strategy<Value = Fraction> {
-    (poly(), nonzero(), nonzero(), 0..3_u32).prop_map(|(numerator, f, g, exponent)| {
-        Fraction::new(numerator, [(f, 1), (g, exponent)])
-    })
+    (poly(), nonzero(), nonzero(), 0..3_u32)
+        .prop_map(|(numerator, f, g, exponent)| Fraction::new(numerator, [(f, 1), (g, exponent)]))
 }
 
 /// Whether two fractions agree by cross multiplication of what they print.

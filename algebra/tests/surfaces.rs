@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, Calculus, Complex, Curve, CurveError, Derivation, Fraction, Hermite, Interval, KnownProperties, Offset,
-    OffsetError, Poly, Preimage, SweptSurface, Variable, Vector, integer, moving_frame_curve, ratio,
+    Bidegree, Calculus, Complex, Curve, CurveError, Derivation, Fraction, Hermite, Interval, KnownProperties,
+    Offset, OffsetError, Poly, Preimage, SweptSurface, Variable, Vector, integer, moving_frame_curve, ratio,
 };
 
 fn u() -> Variable {
@@ -100,7 +100,9 @@ fn the_control_net_interpolates_the_corners() {
     let [m, n] = derivation.control_net.degree.map(|degree| degree as usize);
     for (i, j) in [(0, 0), (0, n), (m, 0), (m, n)] {
         let at = |corner: bool| Poly::integer(corner.into());
-        for (coordinate, corner) in derivation.homogeneous.coordinates().iter().zip(&derivation.control_net.points[i][j]) {
+        for (coordinate, corner) in
+            derivation.homogeneous.coordinates().iter().zip(&derivation.control_net.points[i][j])
+        {
             assert_eq!(coordinate.substitute(&u(), &at(i > 0)).substitute(&v(), &at(j > 0)), *corner);
         }
     }
@@ -131,7 +133,10 @@ fn symbolic_quintics_have_the_generic_degrees() {
     let derivation = derive(translation(&path, &x, &z));
     assert_eq!(degrees(&derivation), [(2, 4), (2, 9), (2, 9), (1, 4)]);
     assert_eq!(derivation.symbols.len(), 6);
-    assert_eq!(derivation.homogeneous.coordinates().each_ref().map(|poly| poly.terms().len()), [72, 578, 672, 36]);
+    assert_eq!(
+        derivation.homogeneous.coordinates().each_ref().map(|poly| poly.terms().len()),
+        [72, 578, 672, 36]
+    );
     // The published term counts of the normal's numerators.
     let mut terms = derivation.normal.numerator().each_ref().map(|poly| poly.terms().len());
     terms.sort_unstable();
@@ -171,7 +176,13 @@ fn speed_decides_what_a_curve_offers() {
     assert_eq!(curve(Poly::one(), Poly::one()).tangent(), Err(CurveError::Point));
     // The circle has the curvature 1, and its center as evolute.
     let [x, y] = circle(&v());
-    let circle = Curve::new(&v(), Vector::new(x, y, Fraction::zero()), None, KnownProperties::default(), Rc::default());
+    let circle = Curve::new(
+        &v(),
+        Vector::new(x, y, Fraction::zero()),
+        None,
+        KnownProperties::default(),
+        Rc::default(),
+    );
     assert_eq!(circle.curvature().unwrap(), Fraction::one());
     assert!(circle.evolute().unwrap().is_zero());
     assert!(matches!(circle.arclength(), Err(CurveError::ArcLength { .. })));

@@ -47,7 +47,9 @@ impl fmt::Display for CompileError {
             CompileError::Degenerate(error) => error.fmt(f),
             CompileError::Exhausted(error) => error.fmt(f),
             CompileError::Schedule(error) => error.fmt(f),
-            CompileError::Mismatch(error) => write!(f, "the schedule does not give the derived surface: {error}"),
+            CompileError::Mismatch(error) => {
+                write!(f, "the schedule does not give the derived surface: {error}")
+            }
             CompileError::Round(error) => error.fmt(f),
         }
     }
@@ -71,11 +73,17 @@ pub fn derive(model: &Model) -> Result<Derivation, CompileError> {
 ///
 /// # Errors
 /// [`CompileError::Schedule`], and [`CompileError::Mismatch`] if the proof fails.
-pub fn exact_program(model: &Model, derivation: &Derivation) -> Result<crate::program::Program<Poly>, CompileError> {
+pub fn exact_program(
+    model: &Model,
+    derivation: &Derivation,
+) -> Result<crate::program::Program<Poly>, CompileError> {
     let parameters = derivation.parameters.each_ref();
     let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
     let known = known_polynomials(model, &derivation.parameters);
-    let domain = derivation.domain.each_ref().map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
+    let domain = derivation
+        .domain
+        .each_ref()
+        .map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
     let factor = orientation(derivation);
     let length = length.filter(|length| positive(length, derivation));
     let derived = Derived {
@@ -167,9 +175,11 @@ fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {
         }
         match judgement {
             Err(diagnostic) => diagnostics.push(*diagnostic),
-            Ok(judgement) if judgement.verdict == judgement.expected || judgement.verdict == Verdict::Undecided => {}
+            Ok(judgement)
+                if judgement.verdict == judgement.expected || judgement.verdict == Verdict::Undecided => {}
             Ok(judgement) => {
-                let message = format!("the claim {:?} is {}: {}", judgement.id, judgement.verdict, judgement.derived);
+                let message =
+                    format!("the claim {:?} is {}: {}", judgement.id, judgement.verdict, judgement.derived);
                 let diagnostic = Diagnostic::new(claim.relation.span(), message);
                 let help = match (&judgement.witness, judgement.verdict) {
                     (Some(witness), _) => format!("it fails at {witness}"),
@@ -185,7 +195,9 @@ fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {
 fn concerns_degree(relation: &ExprKind) -> bool {
     match relation {
         ExprKind::Relation { left, .. } => match left.kind() {
-            ExprKind::Call { callee, .. } => matches!(callee.kind(), ExprKind::Ident(name) if name == "degree"),
+            ExprKind::Call { callee, .. } => {
+                matches!(callee.kind(), ExprKind::Ident(name) if name == "degree")
+            }
             _ => false,
         },
         ExprKind::Not(inner) => concerns_degree(inner.kind()),
@@ -210,8 +222,9 @@ fn known_polynomials(model: &Model, parameters: &[Variable; 2]) -> Vec<(String, 
             add("preimage_im", Some(b.clone()));
         }
         add("sigma", curve.speed().ok().and_then(|speed| speed.to_poly()));
-        for (letter, (position, derivative)) in
-            ["x", "y", "z"].iter().zip(curve.position().components().iter().zip(curve.hodograph().components()))
+        for (letter, (position, derivative)) in ["x", "y", "z"]
+            .iter()
+            .zip(curve.position().components().iter().zip(curve.hodograph().components()))
         {
             add(letter, position.to_poly());
             add(&format!("{letter}_prime"), derivative.to_poly());

@@ -51,7 +51,11 @@ fn from_file(literal: &LitStr) -> TokenStream {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
     let bytes = match std::fs::read(folder.join(Path::new(&name))) {
         Ok(bytes) => bytes,
-        Err(error) => return fail(format!("cannot read {name}: {error}; the path is relative to the folder of Cargo.toml")),
+        Err(error) => {
+            return fail(format!(
+                "cannot read {name}: {error}; the path is relative to the folder of Cargo.toml"
+            ));
+        }
     };
     let parsed = decode(&name, &bytes).and_then(|text| parse_text(&name, text));
     let (file, source) = match parsed {

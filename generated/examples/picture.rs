@@ -20,8 +20,16 @@ fn main() {
 fn picture() -> String {
     let panels: [(&dyn Surface, &str, &str); 3] = [
         (&catalogue::scaled_rotation_example_1::ScaledRotationExample1, "scaled rotation", "#3b7a57"),
-        (&catalogue::oriented_translation_example_2::OrientedTranslationExample2, "oriented translation", "#2f5d8a"),
-        (&catalogue::offset_translation_example_3::OffsetTranslationExample3, "offset translation", "#8a4b2f"),
+        (
+            &catalogue::oriented_translation_example_2::OrientedTranslationExample2,
+            "oriented translation",
+            "#2f5d8a",
+        ),
+        (
+            &catalogue::offset_translation_example_3::OffsetTranslationExample3,
+            "offset translation",
+            "#8a4b2f",
+        ),
     ];
     let [width, height] = [PANEL[0] * panels.len() as f64, PANEL[1] + 30.0];
     let mut svg = format!(
@@ -65,7 +73,8 @@ fn draw(svg: &mut String, surface: &dyn Surface, left: f64, color: &str) {
                 let (u, v) = at(i, j);
                 surface.point(u, v)
             });
-            let sum = corners.iter().fold([0.0; 3], |sum, corner| [0, 1, 2].map(|axis| sum[axis] + corner[axis]));
+            let sum =
+                corners.iter().fold([0.0; 3], |sum, corner| [0, 1, 2].map(|axis| sum[axis] + corner[axis]));
             let (u0, v0) = at(i, j);
             let (u1, v1) = at(i + 1, j + 1);
             let light = match surface.unit_normal((u0 + u1) / 2.0, (v0 + v1) / 2.0) {

@@ -1,6 +1,6 @@
 //! A short stable digest of long texts.
 
-/// The 64-bit FNV-1a hash of `text` in hexadecimal (Fowler, Noll and Vo, RFC 9923); the same on every machine.
+/// The 64-bit FNV-1a hash of `text` in hexadecimal of Fowler, Noll and Vo; the same on every machine.
 ///
 /// ```
 /// use hodograph_tests::digest::fnv1a;

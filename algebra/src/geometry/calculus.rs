@@ -97,7 +97,9 @@ impl Calculus {
         let mut sum = Fraction::from(poly.derivative(parameter));
         for variable in poly.occurring_variables() {
             if self.beyond.contains(&variable) {
-                budget::refuse(format!("`{variable}` is the highest derivative of an unknown function that is kept"));
+                budget::refuse(format!(
+                    "`{variable}` is the highest derivative of an unknown function that is kept"
+                ));
             }
             if let Some((own, rule)) = self.rules.get(&variable)
                 && own == parameter

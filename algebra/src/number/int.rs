@@ -243,10 +243,10 @@ impl Neg for &Int {
 
 /// Spends the work of a product of numbers that are so large that it counts.
 fn charge(a: &BigInt, b: &BigInt) {
-    const COUNTS: u64 = 1 << 12;
+    const COUNTS: u64 = 64;
     let words = [a, b].map(|value| value.bits() / 64);
     if words.iter().all(|words| *words > COUNTS) {
-        crate::budget::spend((words[0] / 64).saturating_mul(words[1]));
+        crate::budget::spend(words[0].saturating_mul(words[1]));
     }
 }
 

@@ -65,7 +65,8 @@ impl Poly {
             }
         }
         let terms = cells.min(multinomial);
-        let bits = self.terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0) + u64::from(count.max(1).ilog2());
+        let bits = self.terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0)
+            + u64::from(count.max(1).ilog2());
         let words = 1 + bits.saturating_mul(u64::from(exponent)) / 128;
         // The powers before it have fewer terms: a third of them on average, for two variables.
         terms.saturating_mul(count).saturating_mul(words).saturating_mul(u64::from(exponent)) / 4

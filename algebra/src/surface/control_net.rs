@@ -33,8 +33,10 @@ impl ControlNet {
         // The weight is not zero, so no degree is negative.
         let degree = [patch.u, patch.v].map(|d| u32::try_from(d).unwrap_or(0));
         let parameters = surface.parameters();
-        let domain: Vec<(Variable, Interval)> = parameters.iter().cloned().zip(domain.iter().cloned()).collect();
-        let forms = surface.coordinates().each_ref().map(|coordinate| coefficients(coordinate, &domain, degree));
+        let domain: Vec<(Variable, Interval)> =
+            parameters.iter().cloned().zip(domain.iter().cloned()).collect();
+        let forms =
+            surface.coordinates().each_ref().map(|coordinate| coefficients(coordinate, &domain, degree));
         let columns = degree[1] as usize + 1;
         let point = |index: usize| forms.each_ref().map(|form| form[index].clone());
         let row = |i: usize| (0..columns).map(|j| point(i * columns + j)).collect();

@@ -91,7 +91,8 @@ impl SweptSurface {
             offset.visit(|poly| all.push(poly.clone()));
         }
         let minimized = minimize_field(&all);
-        let mut field = minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
+        let mut field =
+            minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
         let mut next = minimized.into_iter();
         let mut replace = |_: &Poly| next.next().unwrap_or_else(Poly::zero);
         let homogeneous = homogeneous.map(&mut replace);
@@ -103,12 +104,14 @@ impl SweptSurface {
         };
 
         let position = homogeneous.cartesian();
-        let speeds = budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters, &domain));
+        let speeds =
+            budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters, &domain));
         let speeds = speeds.map(|speed| {
             let root = speed.root.as_ref().map(|root| root.map(|poly| into_field(poly, &mut field)));
             ParametricSpeed { root, ..speed }
         });
-        let singular = budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
+        let singular =
+            budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
         let control_net = ControlNet::of(&homogeneous, &domain).map(|number| into_field(number, &mut field));
         Ok(Derivation {

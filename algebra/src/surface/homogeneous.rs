@@ -52,11 +52,7 @@ impl Homogeneous {
         Homogeneous::from_coordinates([weight, x, y, z], common, parameters)
     }
 
-    fn from_coordinates(
-        raw: [Poly; 4],
-        known: Vec<(Poly, u32)>,
-        parameters: &[Variable; 2],
-    ) -> Homogeneous {
+    fn from_coordinates(raw: [Poly; 4], known: Vec<(Poly, u32)>, parameters: &[Variable; 2]) -> Homogeneous {
         let raw_degrees = raw.each_ref().map(|coordinate| Bidegree::of(coordinate, parameters));
         let mut coordinates = raw;
         let mut common_factor = Poly::one();
@@ -82,7 +78,13 @@ impl Homogeneous {
             weight_factors = coordinates[0].squarefree().factors;
         }
         let coordinates = without_content(coordinates);
-        Homogeneous { coordinates, parameters: parameters.clone(), raw_degrees, common_factor, weight_factors }
+        Homogeneous {
+            coordinates,
+            parameters: parameters.clone(),
+            raw_degrees,
+            common_factor,
+            weight_factors,
+        }
     }
 
     /// The same surface, scaled such that the weight at the point `(u, v)` is rational and positive, if it is a number other
@@ -158,8 +160,10 @@ impl Homogeneous {
         // W = unit · product
         let unit = match weight.exact_div(&product) {
             Some(unit) if unit.is_constant() => unit,
-            _ => return Vector::new(x.clone().into(), y.clone().into(), z.clone().into())
-                .map(|c| Fraction::new(c.numerator().clone(), [(weight.clone(), 1)]).reduced()),
+            _ => {
+                return Vector::new(x.clone().into(), y.clone().into(), z.clone().into())
+                    .map(|c| Fraction::new(c.numerator().clone(), [(weight.clone(), 1)]).reduced());
+            }
         };
         let inverse = unit.inverse();
         let over = |numerator: &Poly| Fraction::new(numerator * &inverse, factors.iter().cloned()).reduced();

@@ -27,7 +27,8 @@ impl SingularLocus {
         let factor_zeros = factor.zeros_on(&domain);
         // |N|² is a sum of squares: its zeros are those of the square root where there is one.
         let split = normal.split();
-        let support = if split.is_square() { split.root.clone() } else { normal.norm_squared().squarefree().radical() };
+        let support =
+            if split.is_square() { split.root.clone() } else { normal.norm_squared().squarefree().radical() };
         let normal_zeros = support.zeros_on(&domain);
         SingularLocus { factor, factor_zeros, normal_zeros }
     }
@@ -35,7 +36,9 @@ impl SingularLocus {
     /// Whether the surface is certified to have a normal everywhere on the domain.
     #[must_use]
     pub fn is_regular(&self) -> bool {
-        [&self.factor_zeros, &self.normal_zeros].iter().all(|zeros| zeros.as_ref().is_some_and(ZeroSet::is_empty))
+        [&self.factor_zeros, &self.normal_zeros]
+            .iter()
+            .all(|zeros| zeros.as_ref().is_some_and(ZeroSet::is_empty))
     }
 
     /// The zeros, one text each, such as `u = 1`, or for a curve its equation, such as `u^2 - v = 0`, and where it meets the
@@ -50,7 +53,8 @@ impl SingularLocus {
                 continue;
             };
             for line in &zeros.lines {
-                let value = line.exact().map_or_else(|| line.refined(16).to_string(), |n| over(n).to_string());
+                let value =
+                    line.exact().map_or_else(|| line.refined(16).to_string(), |n| over(n).to_string());
                 all.push(format!("{} = {value}", line.variable()));
             }
             for point in &zeros.points {
@@ -63,8 +67,15 @@ impl SingularLocus {
                 let mut ends = Vec::new();
                 for edge in &curve.edges {
                     for root in &edge.roots {
-                        let value = root.exact().map_or_else(|| root.refined(16).to_string(), |n| over(n).to_string());
-                        ends.push(format!("{} = {}, {} = {value}", edge.fixed, over(&edge.value), root.variable()));
+                        let value = root
+                            .exact()
+                            .map_or_else(|| root.refined(16).to_string(), |n| over(n).to_string());
+                        ends.push(format!(
+                            "{} = {}, {} = {value}",
+                            edge.fixed,
+                            over(&edge.value),
+                            root.variable()
+                        ));
                     }
                 }
                 if !ends.is_empty() {

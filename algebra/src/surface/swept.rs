@@ -53,7 +53,11 @@ impl ParametricSpeed {
     ) -> [ParametricSpeed; 2] {
         parameters.each_ref().map(|parameter| {
             let Some(direction) = Direction::of(&position.derivative(parameter)) else {
-                return ParametricSpeed { squared: Fraction::zero(), root: Some(Fraction::zero()), certified: false };
+                return ParametricSpeed {
+                    squared: Fraction::zero(),
+                    root: Some(Fraction::zero()),
+                    certified: false,
+                };
             };
             // |f·N| = |f|·|N|: only the length of the direction needs a root.
             let norm2 = Fraction::from(direction.norm2());
@@ -109,14 +113,17 @@ impl fmt::Display for OffsetError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OffsetError::Irrational { odd } => {
-                write!(f, "|R_u x R_v|^2 contains the factor {odd} to an odd power, so its root is not rational")
+                write!(
+                    f,
+                    "|R_u x R_v|^2 contains the factor {odd} to an odd power, so its root is not rational"
+                )
             }
             OffsetError::SymbolicRadical { radicand } => {
                 write!(f, "the offset contains the square root of {radicand}, which depends on the symbols")
             }
-            OffsetError::NoSurface => {
-                f.write_str("R_u x R_v is zero everywhere: the formula gives a curve or a point, not a surface")
-            }
+            OffsetError::NoSurface => f.write_str(
+                "R_u x R_v is zero everywhere: the formula gives a curve or a point, not a surface",
+            ),
         }
     }
 }
@@ -152,7 +159,8 @@ impl SweptSurface {
     #[must_use]
     pub fn symbols(&self) -> Vec<Variable> {
         let occurring = self.position.components().iter().flat_map(Fraction::occurring_variables);
-        let mut symbols: Vec<Variable> = occurring.filter(|variable| !self.parameters.contains(variable)).collect();
+        let mut symbols: Vec<Variable> =
+            occurring.filter(|variable| !self.parameters.contains(variable)).collect();
         symbols.sort();
         symbols.dedup();
         symbols

@@ -301,7 +301,13 @@ fn unit_normal(
             let side = if factor < 0.0 { -1.0 } else { 1.0 };
         }
     });
-    let vector = vector.iter().map(|component| if oriented { quote! { side * (#component) } } else { quote! { #component } });
+    let vector = vector.iter().map(|component| {
+        if oriented {
+            quote! { side * (#component) }
+        } else {
+            quote! { #component }
+        }
+    });
     quote! {
         #docs
         #[inline]

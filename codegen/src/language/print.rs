@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::ast::{
-    Argument, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, Function, Interval, Name, ProductOperator,
-    RelationOperator, SumOperator,
+    Argument, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, Function, Interval, Name,
+    ProductOperator, RelationOperator, SumOperator,
 };
 
 /// How tightly an expression holds together, loosest first; each level of the grammar is one.
@@ -130,7 +130,8 @@ fn write_list(open: &str, parts: &[Expr], close: &str, f: &mut fmt::Formatter<'_
 impl fmt::Display for Clause {
     /// The clause on one line, without its documentation.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = |names: &[Name]| names.iter().map(|name| name.value.as_str()).collect::<Vec<_>>().join(", ");
+        let names =
+            |names: &[Name]| names.iter().map(|name| name.value.as_str()).collect::<Vec<_>>().join(", ");
         let definition = |f: &mut fmt::Formatter<'_>, keyword: &str, definition: &Definition| {
             write!(f, "{keyword} {}", definition.name.value)?;
             if !definition.parameters.is_empty() {
@@ -142,7 +143,8 @@ impl fmt::Display for Clause {
             ClauseKind::Source(text) => write!(f, "source {:?};", text.value),
             ClauseKind::Symbol(symbols) => write!(f, "symbol {};", names(symbols)),
             ClauseKind::Function(functions) => {
-                let one = |function: &Function| format!("{}({})", function.name.value, function.parameter.value);
+                let one =
+                    |function: &Function| format!("{}({})", function.name.value, function.parameter.value);
                 write!(f, "function {};", functions.iter().map(one).collect::<Vec<_>>().join(", "))
             }
             ClauseKind::Let(value) => definition(f, "let", value),

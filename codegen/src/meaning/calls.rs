@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector, cos_pi, exp_i_pi, integer,
-    rational_root, sin_pi,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector,
+    cos_pi, exp_i_pi, integer, rational_root, sin_pi,
 };
 
 use super::curves;
@@ -28,7 +28,10 @@ pub(super) fn call(scope: &Scope, span: Span, callee: &Expr, arguments: &[Argume
                     let call = Call { scope, span, name: "offset", arguments };
                     let [distance] = call.positional()?;
                     let distance = scope.scalar(distance, "the distance of an offset")?;
-                    return curve.offset(&distance).map(Value::Vector).map_err(|error| Fault::curve(span, &error));
+                    return curve
+                        .offset(&distance)
+                        .map(Value::Vector)
+                        .map_err(|error| Fault::curve(span, &error));
                 }
                 let value = super::members::member(scope, callee.span(), object, member)?;
                 return apply(scope, span, &value, &[curve.parameter().clone()], arguments);
@@ -75,7 +78,8 @@ fn apply(
 ) -> Result<Value, Fault> {
     if arguments.len() != parameters.len() || arguments.iter().any(|argument| argument.name.is_some()) {
         let names: Vec<&str> = parameters.iter().map(Variable::name).collect();
-        let message = format!("this depends on {}, so it takes {}", names.join(" and "), count(parameters.len()));
+        let message =
+            format!("this depends on {}, so it takes {}", names.join(" and "), count(parameters.len()));
         return Err(Fault::new(span, message));
     }
     let mut values = BTreeMap::new();
@@ -103,15 +107,22 @@ pub(super) fn substitute(
             parameter.is_some_and(changed)
         });
         if let Some(unknown) = unknown {
-            return Err(Fault::new(span, format!("the unknown function `{unknown}` has no value at a point")));
+            return Err(Fault::new(
+                span,
+                format!("the unknown function `{unknown}` has no value at a point"),
+            ));
         }
         let undefined = || {
-            let at: Vec<String> = values.iter().map(|(variable, value)| format!("{variable} = {value}")).collect();
+            let at: Vec<String> =
+                values.iter().map(|(variable, value)| format!("{variable} = {value}")).collect();
             Fault::new(span, format!("the expression is not defined at {}", at.join(", ")))
                 .help("its denominator vanishes there")
         };
         // What cancels is no pole.
-        fraction.substitute(values).or_else(|| fraction.lowest_terms().substitute(values)).ok_or_else(undefined)
+        fraction
+            .substitute(values)
+            .or_else(|| fraction.lowest_terms().substitute(values))
+            .ok_or_else(undefined)
     };
     Ok(match value.bare() {
         Value::Scalar(scalar) => Value::Scalar(replace(scalar)?),
@@ -163,7 +174,9 @@ impl<'a> Call<'a> {
 
     fn without_names(&self) -> Result<(), Fault> {
         match self.arguments.iter().find_map(|argument| argument.name.as_ref()) {
-            Some(name) => Err(Fault::new(name.span, format!("`{}` has no argument `{}`", self.name, name.value))),
+            Some(name) => {
+                Err(Fault::new(name.span, format!("`{}` has no argument `{}`", self.name, name.value)))
+            }
             None => Ok(()),
         }
     }
@@ -183,7 +196,10 @@ impl<'a> Call<'a> {
                     None => {
                         let message = format!("`{}` has no argument `{}`", self.name, name.value);
                         let fault = Fault::new(name.span, message);
-                        return Err(fault.help(format!("it may have {}", names.map(|n| format!("`{n} = …`")).join(", "))));
+                        return Err(fault.help(format!(
+                            "it may have {}",
+                            names.map(|n| format!("`{n} = …`")).join(", ")
+                        )));
                     }
                 },
             }
@@ -258,7 +274,10 @@ fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Value, Fault> 
                     Ok(Value::Vector(Vector::new(x, y, z)))
                 }
                 other => {
-                    let fault = Fault::new(a.span(), format!("`normal` needs the surface, but this is {}", other.kind()));
+                    let fault = Fault::new(
+                        a.span(),
+                        format!("`normal` needs the surface, but this is {}", other.kind()),
+                    );
                     Err(fault.help("the normal of a curve is `s.normal`"))
                 }
             }
@@ -268,17 +287,23 @@ fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Value, Fault> 
             let distance = scope.scalar(distance, "the distance of an offset")?;
             match scope.evaluate(surface)?.bare() {
                 Value::Surface(surface) => Ok(Value::Offset(Rc::new(surface.offset(&distance)))),
-                Value::Curve(curve) => {
-                    curve.offset(&distance).map(Value::Vector).map_err(|error| Fault::curve(call.span, &error))
-                }
+                Value::Curve(curve) => curve
+                    .offset(&distance)
+                    .map(Value::Vector)
+                    .map_err(|error| Fault::curve(call.span, &error)),
                 other => {
-                    let message = format!("`offset` needs a surface or a curve, but this is {}", other.kind());
+                    let message =
+                        format!("`offset` needs a surface or a curve, but this is {}", other.kind());
                     Err(Fault::new(surface.span(), message))
                 }
             }
         }
         "gcd" => {
-            let polys = call.several()?.into_iter().map(|expr| polynomial(scope, expr)).collect::<Result<Vec<_>, _>>()?;
+            let polys = call
+                .several()?
+                .into_iter()
+                .map(|expr| polynomial(scope, expr))
+                .collect::<Result<Vec<_>, _>>()?;
             Ok(Value::Scalar(Poly::gcd_many(&polys).into()))
         }
         "approx" | "coprime" | "is_rational" | "parallel" | "positive" => {
@@ -292,7 +317,9 @@ fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Value, Fault> 
 /// A parameter, given by its name.
 pub(super) fn parameter(scope: &Scope, expr: &Expr) -> Result<Variable, Fault> {
     let ExprKind::Ident(name) = expr.kind() else {
-        return Err(Fault::new(expr.span(), "a parameter is expected here").help("give its name, such as `u`"));
+        return Err(
+            Fault::new(expr.span(), "a parameter is expected here").help("give its name, such as `u`")
+        );
     };
     let found = scope.parameters.iter().find(|parameter| parameter.name() == name);
     found.cloned().ok_or_else(|| {
@@ -308,7 +335,8 @@ fn derivative(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         [value, by] => (*value, *by, 1),
         [value, by, order] => {
             let n = scope.rational(order, "the order of a derivative")?;
-            let small = n.is_integer().then(|| n.to_integer().small()).flatten().filter(|n| (0..=100).contains(n));
+            let small =
+                n.is_integer().then(|| n.to_integer().small()).flatten().filter(|n| (0..=100).contains(n));
             let message = "the order of a derivative is an integer from 0 to 100";
             (*value, *by, small.ok_or_else(|| Fault::new(order.span(), message))?)
         }
@@ -347,7 +375,10 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         return match number.sqrt() {
             Some(root) => Ok(Value::Scalar(root.into())),
             None => {
-                let fault = Fault::new(a.span(), format!("the radicand {} is negative", super::expression::shortened(&number.to_string())));
+                let fault = Fault::new(
+                    a.span(),
+                    format!("the radicand {} is negative", super::expression::shortened(&number.to_string())),
+                );
                 Err(fault.help("write `I*sqrt(…)` for the square root of a negative number"))
             }
         };
@@ -355,7 +386,8 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     let root = rational_root(&value.reduced()).map_err(|_| {
         let split = value.reduced().numerator().square_split();
         let message = format!("this square root is not a rational function: {} is not a square", split.odd);
-        let mut fault = Fault::new(a.span(), message).help("roots of functions must be exact: only squares have them");
+        let mut fault =
+            Fault::new(a.span(), message).help("roots of functions must be exact: only squares have them");
         fault.irrational = true;
         fault
     })?;
@@ -366,12 +398,14 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
 fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, Fault> {
     let unknown = |why: String, help: &str| {
         let root = super::expression::shortened(&root.to_string());
-        Err(Fault::new(span, format!("this square root is the absolute value of {root}, and {why}")).help(help))
+        Err(Fault::new(span, format!("this square root is the absolute value of {root}, and {why}"))
+            .help(help))
     };
     let mut domain = Vec::new();
     for variable in root.occurring_variables() {
         let Some(interval) = scope.domains.get(&variable) else {
-            let help = "write the root itself, with the sign that is meant, or state the domain of the parameter";
+            let help =
+                "write the root itself, with the sign that is meant, or state the domain of the parameter";
             return unknown(format!("nothing is known of the sign of `{variable}`"), help);
         };
         domain.push((variable, interval.clone()));
@@ -425,7 +459,13 @@ fn angle(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
 pub(super) fn polynomial(scope: &Scope, expr: &Expr) -> Result<Poly, Fault> {
     let value = scope.scalar(expr, "this")?;
     value.to_poly().ok_or_else(|| {
-        let fault = Fault::new(expr.span(), format!("this must be a polynomial, but it has the denominator {}", value.reduced().denominator()));
+        let fault = Fault::new(
+            expr.span(),
+            format!(
+                "this must be a polynomial, but it has the denominator {}",
+                value.reduced().denominator()
+            ),
+        );
         fault.help("the homogeneous coordinates W, X, Y, Z are polynomials")
     })
 }
@@ -473,7 +513,9 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     variables.dedup();
     if let Some(function) = variables.iter().find(|variable| scope.calculus.is_function(variable)) {
         let message = format!("the unknown function `{function}` has no degree");
-        return Err(Fault::new(call.span, message).help("write a polynomial with symbols for its coefficients"));
+        return Err(
+            Fault::new(call.span, message).help("write a polynomial with symbols for its coefficients")
+        );
     }
     let value = |degrees| Ok(Value::Degree(Rc::new(DegreeValue { degrees, variables })));
     if let Some(by) = by {

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Calculus, Complex, Curve, Fraction, Hermite, KnownProperties, Poly, Preimage, Rational, Variable, Vector, minimize_field,
-    moving_frame_curve,
+    Calculus, Complex, Curve, Fraction, Hermite, KnownProperties, Poly, Preimage, Rational, Variable, Vector,
+    minimize_field, moving_frame_curve,
 };
 
 use super::calls::Call;
@@ -30,7 +30,12 @@ pub(super) struct CurveContext {
 const MAX_SYMBOLIC_DEGREE: i64 = 32;
 
 /// The curve with the given position in the scope of a clause.
-pub(super) fn curve(scope: &Scope, parameter: &Variable, position: Vector, known: KnownProperties) -> Rc<Curve> {
+pub(super) fn curve(
+    scope: &Scope,
+    parameter: &Variable,
+    position: Vector,
+    known: KnownProperties,
+) -> Rc<Curve> {
     let domain = scope.domains.get(parameter).cloned();
     Rc::new(Curve::new(parameter, over_least_field(&position), domain, known, scope.calculus.clone()))
 }
@@ -40,15 +45,20 @@ fn over_least_field(vector: &Vector) -> Vector {
     let polys: Vec<Poly> = vector
         .components()
         .iter()
-        .flat_map(|f| f.factors().iter().map(|(factor, _)| factor).chain([f.numerator()]).cloned().collect::<Vec<_>>())
+        .flat_map(|f| {
+            f.factors().iter().map(|(factor, _)| factor).chain([f.numerator()]).cloned().collect::<Vec<_>>()
+        })
         .collect();
     if polys.iter().all(|poly| poly.ring().field().generators().is_empty()) {
         return vector.clone();
     }
     let mut least = minimize_field(&polys).into_iter();
     vector.map(|f| {
-        let factors: Vec<(Poly, u32)> =
-            f.factors().iter().map(|(_, exponent)| (least.next().unwrap_or_else(Poly::one), *exponent)).collect();
+        let factors: Vec<(Poly, u32)> = f
+            .factors()
+            .iter()
+            .map(|(_, exponent)| (least.next().unwrap_or_else(Poly::one), *exponent))
+            .collect();
         Fraction::new(least.next().unwrap_or_else(Poly::zero), factors)
     })
 }
@@ -81,7 +91,13 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
             let coefficient = |(index, value): (usize, &Value)| {
                 complex_number(value).ok_or_else(|| {
                     let span = element(argument, index).unwrap_or(argument.span());
-                    Fault::new(span, format!("a preimage's coefficient must be a complex number, but this is {}", value.kind()))
+                    Fault::new(
+                        span,
+                        format!(
+                            "a preimage's coefficient must be a complex number, but this is {}",
+                            value.kind()
+                        ),
+                    )
                 })
             };
             let coefficients = list.iter().enumerate().map(coefficient).collect::<Result<Vec<_>, _>>()?;
@@ -89,9 +105,10 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
         }
         value => {
             let degree = value.scalar().and_then(|degree| degree.to_rational()).filter(Rational::is_integer);
-            let degree = degree.and_then(|degree| u32::try_from(degree.to_integer().small()?).ok()).ok_or_else(|| {
-                Fault::new(argument.span(), "the degree of a PH curve is an odd positive integer")
-            })?;
+            let degree =
+                degree.and_then(|degree| u32::try_from(degree.to_integer().small()?).ok()).ok_or_else(
+                    || Fault::new(argument.span(), "the degree of a PH curve is an odd positive integer"),
+                )?;
             let preimage = Preimage::symbolic(degree, &context.prefix);
             if let Ok(preimage) = &preimage {
                 let numbers = preimage.coefficients().iter().flat_map(|w| [&w.re, &w.im]);
@@ -104,7 +121,10 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
     if let Some(factor) = factor {
         let poly = super::calls::polynomial(scope, factor)?;
         if poly.is_zero() {
-            return Err(Fault::new(factor.span(), "the factor of a hodograph is zero, so the curve is a point"));
+            return Err(Fault::new(
+                factor.span(),
+                "the factor of a hodograph is zero, so the curve is a point",
+            ));
         }
         preimage = preimage.with_factor(poly);
     }
@@ -119,14 +139,16 @@ fn ph_curve(scope: &Scope, context: &CurveContext, preimage: &Preimage, start: &
     let w = preimage.polynomial(&context.parameter);
     let parts = preimage.curve(&context.parameter, start);
     let position = Vector::new(parts.position.re.into(), parts.position.im.into(), Fraction::zero());
-    let known = KnownProperties { speed: Some(parts.speed.into()), arclength: None, preimage: Some([w.re, w.im]) };
+    let known =
+        KnownProperties { speed: Some(parts.speed.into()), arclength: None, preimage: Some([w.re, w.im]) };
     Value::Curve(curve(scope, &context.parameter, position, known))
 }
 
 fn ph_hermite(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, Fault> {
     let (positional, [selector]) = call.with_names(["solution"])?;
     let [start, start_tangent, end, end_tangent] = positional.as_slice() else {
-        let fault = Fault::new(call.span, format!("`ph_hermite` takes 4 arguments, not {}", positional.len()));
+        let fault =
+            Fault::new(call.span, format!("`ph_hermite` takes 4 arguments, not {}", positional.len()));
         return Err(fault.help("write `ph_hermite(from, tangent, to, tangent)`, each a pair `(x, y)`"));
     };
     let start = plane_point(scope, start)?;
@@ -139,11 +161,15 @@ fn ph_hermite(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<
     let fault = |error: hodograph_algebra::HermiteError| Fault::new(call.span, error.to_string());
     let data = data.map_err(fault)?;
     let preimage = match selector {
-        None => data.least_rotation().map_err(|error| fault(error).help("add `solution = 0` (or 1, 2, 3) to choose"))?,
+        None => data
+            .least_rotation()
+            .map_err(|error| fault(error).help("add `solution = 0` (or 1, 2, 3) to choose"))?,
         Some(selector) => {
             let index = scope.rational(selector, "the number of a solution")?;
-            let index = usize::try_from(index.to_integer().small().filter(|_| index.is_integer()).unwrap_or(-1));
-            let index = index.map_err(|_| Fault::new(selector.span(), "the solutions are numbered from 0 to 3"))?;
+            let index =
+                usize::try_from(index.to_integer().small().filter(|_| index.is_integer()).unwrap_or(-1));
+            let index =
+                index.map_err(|_| Fault::new(selector.span(), "the solutions are numbered from 0 to 3"))?;
             data.solution(index).map_err(|error| Fault::new(selector.span(), error.to_string()))?
         }
     };
@@ -153,10 +179,13 @@ fn ph_hermite(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<
 fn bezier(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, Fault> {
     let (positional, [weights]) = call.with_names(["weights"])?;
     let [points] = positional.as_slice() else {
-        return Err(Fault::new(call.span, "`bezier` takes a list of control points").help("write `bezier([(0, 0), (1, 2)])`"));
+        return Err(Fault::new(call.span, "`bezier` takes a list of control points")
+            .help("write `bezier([(0, 0), (1, 2)])`"));
     };
     let (Value::List(list), ExprKind::Array(_)) = (scope.evaluate(points)?, points.kind()) else {
-        return Err(Fault::new(points.span(), "the control points must be a list").help("write `[(0, 0), (1, 2)]`"));
+        return Err(
+            Fault::new(points.span(), "the control points must be a list").help("write `[(0, 0), (1, 2)]`")
+        );
     };
     let at = |index: usize| element(points, index).unwrap_or(points.span());
     if list.len() < 2 {
@@ -181,13 +210,17 @@ fn bezier(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Valu
             }
             let weight = |(index, value): (usize, &Value)| {
                 let span = element(expr, index).unwrap_or(expr.span());
-                value.scalar().ok_or_else(|| Fault::new(span, format!("a weight must be a number, but this is {}", value.kind())))
+                value.scalar().ok_or_else(|| {
+                    Fault::new(span, format!("a weight must be a number, but this is {}", value.kind()))
+                })
             };
             list.iter().enumerate().map(weight).collect::<Result<Vec<_>, _>>()?
         }
     };
     let (mut position, mut weight) = (Vector::zero(), Fraction::zero());
-    for ((basis, point), w) in bernstein_basis(control.len() - 1, &context.parameter).iter().zip(&control).zip(&weights) {
+    for ((basis, point), w) in
+        bernstein_basis(control.len() - 1, &context.parameter).iter().zip(&control).zip(&weights)
+    {
         let weighted = &Fraction::from(basis.clone()) * w;
         position = &position + &point.scale(&weighted);
         weight = &weight + &weighted;
@@ -220,11 +253,15 @@ fn symbolic(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Va
     let n = scope.rational(degree, "the degree of a curve")?;
     let n = n.is_integer().then(|| n.to_integer().small()).flatten();
     let n = n.filter(|n| (1..=MAX_SYMBOLIC_DEGREE).contains(n)).ok_or_else(|| {
-        Fault::new(degree.span(), format!("the degree of a symbolic curve is an integer from 1 to {MAX_SYMBOLIC_DEGREE}"))
+        Fault::new(
+            degree.span(),
+            format!("the degree of a symbolic curve is an integer from 1 to {MAX_SYMBOLIC_DEGREE}"),
+        )
     })?;
     let coordinate = |letter: &str| {
-        let coefficients: Vec<Variable> =
-            (0..=n).map(|i| Variable::new(Variable::SYMBOL, &format!("{}{letter}{i}", context.prefix))).collect();
+        let coefficients: Vec<Variable> = (0..=n)
+            .map(|i| Variable::new(Variable::SYMBOL, &format!("{}{letter}{i}", context.prefix)))
+            .collect();
         scope.announce(coefficients.iter().cloned());
         let coefficients: Vec<Poly> = coefficients.iter().map(Poly::variable).collect();
         Poly::from_coefficients(&context.parameter, &coefficients)
@@ -244,7 +281,8 @@ fn regular(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Val
     let sigma = scope.scalar(sigma, "the parametric speed")?;
     let kappa = scope.scalar(kappa, "the curvature")?;
     let mut calculus = Calculus::clone(&scope.calculus);
-    let (position, known) = moving_frame_curve(&context.name, &context.parameter, &sigma, &kappa, &mut calculus);
+    let (position, known) =
+        moving_frame_curve(&context.name, &context.parameter, &sigma, &kappa, &mut calculus);
     with_calculus(scope, context, call.span, position, known, calculus)
 }
 
@@ -311,7 +349,8 @@ fn plane_point(scope: &Scope, expr: &Expr) -> Result<Complex, Fault> {
         Some(Complex::new(x.to_poly()?, y.to_poly()?))
     });
     pair.ok_or_else(|| {
-        let message = format!("a point or vector of the plane is expected, but this is {}", shortened(value.kind()));
+        let message =
+            format!("a point or vector of the plane is expected, but this is {}", shortened(value.kind()));
         Fault::new(expr.span(), message).help("write a pair `(x, y)`")
     })
 }

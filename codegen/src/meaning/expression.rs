@@ -36,12 +36,8 @@ impl Scope {
             ExprKind::Number(text) => number(text, span),
             ExprKind::Ident(name) => self.value(name, span),
             ExprKind::Str(_) => Err(Fault::new(span, "a text has no value in a formula")),
-            ExprKind::Tuple(parts) => {
-                Ok(Value::Tuple(each(parts, |part| self.scalar(part, "a component"))?))
-            }
-            ExprKind::Array(parts) => {
-                Ok(Value::List(each(parts, |part| self.evaluate(part))?))
-            }
+            ExprKind::Tuple(parts) => Ok(Value::Tuple(each(parts, |part| self.scalar(part, "a component"))?)),
+            ExprKind::Array(parts) => Ok(Value::List(each(parts, |part| self.evaluate(part))?)),
             ExprKind::Call { callee, arguments } => calls::call(self, span, callee, arguments),
             ExprKind::Member { object, member } => members::member(self, span, object, member),
             ExprKind::Negative(operand) => {
@@ -93,7 +89,9 @@ impl Scope {
     /// The value of an expression that must be a rational number.
     pub(super) fn rational(&self, expr: &Expr, role: &str) -> Result<Rational, Fault> {
         let number = self.number(expr, role)?;
-        number.to_rational().ok_or_else(|| Fault::new(expr.span(), format!("{role} must be a rational number")))
+        number
+            .to_rational()
+            .ok_or_else(|| Fault::new(expr.span(), format!("{role} must be a rational number")))
     }
 
     fn sum(&self, first: &Expr, rest: &[(SumOperator, Expr)]) -> Result<Value, Fault> {
@@ -125,7 +123,8 @@ impl Scope {
 
     /// The values of all operands of a sum or product; the mistakes in all of them are found.
     fn operands<O>(&self, first: &Expr, rest: &[(O, Expr)]) -> Result<Vec<Value>, Fault> {
-        let operands: Vec<&Expr> = std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand)).collect();
+        let operands: Vec<&Expr> =
+            std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand)).collect();
         each(&operands, |operand| self.evaluate(operand))
     }
 
@@ -134,12 +133,19 @@ impl Scope {
         let small = power.is_integer().then(|| power.to_integer().small()).flatten();
         let Some(power) = small.filter(|power| power.abs() <= MAX_EXPONENT) else {
             let message = if power.is_integer() {
-                format!("the exponent {} is beyond the limit of {MAX_EXPONENT}", shortened(&power.to_string()))
+                format!(
+                    "the exponent {} is beyond the limit of {MAX_EXPONENT}",
+                    shortened(&power.to_string())
+                )
             } else {
                 format!("the exponent {power} is not an integer")
             };
             let fault = Fault::new(exponent.span(), message);
-            return Err(if power.is_integer() { fault } else { fault.help("write `sqrt(…)` for a square root") });
+            return Err(if power.is_integer() {
+                fault
+            } else {
+                fault.help("write `sqrt(…)` for a square root")
+            });
         };
         let value = self.evaluate(base)?;
         let count = u32::try_from(power.unsigned_abs()).unwrap_or(u32::MAX);
@@ -154,7 +160,9 @@ impl Scope {
             }
             other => {
                 let message = format!("{} cannot be raised to a power", other.kind());
-                return Err(Fault::new(base.span(), message).help("`norm2(a)` is the square of a vector's length"));
+                return Err(
+                    Fault::new(base.span(), message).help("`norm2(a)` is the square of a vector's length")
+                );
             }
         };
         if power >= 0 { Ok(raised) } else { quotient(&scalar(integer(1)), &raised, base.span()) }
@@ -245,9 +253,12 @@ pub(super) fn product(a: &Value, b: &Value) -> Option<Value> {
 }
 
 fn quotient(a: &Value, b: &Value, span: Span) -> Result<Value, Fault> {
-    let zero = || Fault::new(span, "division by zero").help("this expression is zero for all values of its parameters");
+    let zero = || {
+        Fault::new(span, "division by zero").help("this expression is zero for all values of its parameters")
+    };
     let result = if let Some(divisor) = b.scalar() {
-        let known: Option<Vec<Poly>> = a.scalar().map(|a| a.factors().iter().map(|(factor, _)| factor.clone()).collect());
+        let known: Option<Vec<Poly>> =
+            a.scalar().map(|a| a.factors().iter().map(|(factor, _)| factor.clone()).collect());
         let inverse = divisor.reciprocal(&known.unwrap_or_default()).ok_or_else(zero)?;
         product(a, &Value::Scalar(inverse))
     } else if let Some(divisor) = b.complex() {
@@ -261,14 +272,18 @@ fn quotient(a: &Value, b: &Value, span: Span) -> Result<Value, Fault> {
 fn cannot(span: Span, verb: &str, a: &Value, b: &Value) -> Fault {
     let (a_kind, b_kind) = (a.kind(), b.kind());
     let (message, help) = match verb {
-        "add" => (format!("{a_kind} and {b_kind} cannot be added"), "both sides of a sum must be scalars, or vectors"),
+        "add" => (
+            format!("{a_kind} and {b_kind} cannot be added"),
+            "both sides of a sum must be scalars, or vectors",
+        ),
         "divide" => (format!("{a_kind} cannot be divided by {b_kind}"), "a divisor must be a scalar"),
         _ => (
             format!("{a_kind} and {b_kind} cannot be multiplied with `*`"),
             "two vectors have the products `dot(a, b)` and `cross(a, b)`",
         ),
     };
-    let is_vector = |value: &Value| matches!(value.bare(), Value::Vector(_) | Value::Curve(_) | Value::Tuple(_));
+    let is_vector =
+        |value: &Value| matches!(value.bare(), Value::Vector(_) | Value::Curve(_) | Value::Tuple(_));
     let fault = Fault::new(span, message);
     if verb == "add" && is_vector(a) != is_vector(b) {
         return fault.help("a scalar becomes a vector by a unit vector: `z*k`");

@@ -46,7 +46,11 @@ impl Fault {
 
     /// All mistakes, for a report; none if they have been reported already.
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
-        if self.reported { Vec::new() } else { std::iter::once(*self.diagnostic).chain(self.others).collect() }
+        if self.reported {
+            Vec::new()
+        } else {
+            std::iter::once(*self.diagnostic).chain(self.others).collect()
+        }
     }
 
     /// The same with what to do.

@@ -10,7 +10,8 @@ use super::relation::{self, Finding};
 use super::scope::Scope;
 use super::value::{FunctionValue, Value};
 use crate::language::ast::{
-    Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name, RelationOperator, Verdict,
+    Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name,
+    RelationOperator, Verdict,
 };
 use crate::language::{Diagnostic, Diagnostics, Span};
 
@@ -128,7 +129,9 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
     let claims: Vec<Claim> = item
         .clauses
         .iter()
-        .filter_map(|clause| if let ClauseKind::Claim(claim) = &clause.kind { Some(claim.clone()) } else { None })
+        .filter_map(
+            |clause| if let ClauseKind::Claim(claim) = &clause.kind { Some(claim.clone()) } else { None },
+        )
         .collect();
     for claim in &claims {
         for expr in std::iter::once(&claim.relation).chain(&claim.conditions) {
@@ -144,7 +147,12 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         span: item.name.span,
         docs: item.docs.iter().map(|line| line.value.trim().to_owned()).collect(),
         source,
-        formula: item.clauses.iter().filter(|clause| defines_surface(clause)).map(ToString::to_string).collect(),
+        formula: item
+            .clauses
+            .iter()
+            .filter(|clause| defines_surface(clause))
+            .map(ToString::to_string)
+            .collect(),
         surface,
         claims,
         path: item.clauses.iter().find_map(|clause| match &clause.kind {
@@ -165,10 +173,16 @@ fn parameters(item: &Item) -> Vec<Variable> {
     for clause in &item.clauses {
         match &clause.kind {
             ClauseKind::Surface(surface) => names.extend(surface.parameter_names()),
-            ClauseKind::Domain(intervals) => names.extend(intervals.iter().map(|i| i.parameter.value.as_str())),
+            ClauseKind::Domain(intervals) => {
+                names.extend(intervals.iter().map(|i| i.parameter.value.as_str()))
+            }
             ClauseKind::Curve(curve) => names.push(&curve.parameter.value),
-            ClauseKind::Function(functions) => names.extend(functions.iter().map(|f| f.parameter.value.as_str())),
-            ClauseKind::Let(definition) => names.extend(definition.parameters.iter().map(|p| p.value.as_str())),
+            ClauseKind::Function(functions) => {
+                names.extend(functions.iter().map(|f| f.parameter.value.as_str()))
+            }
+            ClauseKind::Let(definition) => {
+                names.extend(definition.parameters.iter().map(|p| p.value.as_str()))
+            }
             _ => {}
         }
     }
@@ -192,7 +206,9 @@ fn symbolic_curves(item: &Item) -> usize {
             ExprKind::Call { callee, arguments } => match callee.kind() {
                 ExprKind::Ident(name) => match name.as_str() {
                     "polynomial_curve" | "rational_curve" => true,
-                    "ph" => !arguments.iter().any(|argument| matches!(argument.value.kind(), ExprKind::Array(_))),
+                    "ph" => {
+                        !arguments.iter().any(|argument| matches!(argument.value.kind(), ExprKind::Array(_)))
+                    }
                     _ => false,
                 },
                 _ => false,
@@ -230,7 +246,10 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
     guarded(expr.span(), || {
         let value = scope.evaluate(expr)?;
         let position = value.vector().ok_or_else(|| {
-            let fault = Fault::new(expr.span(), format!("{role} must be a vector in space, but this is {}", value.kind()));
+            let fault = Fault::new(
+                expr.span(),
+                format!("{role} must be a vector in space, but this is {}", value.kind()),
+            );
             fault.help("a scalar becomes a vector by a unit vector: `z*k`")
         })?;
         check_finite(&value, expr.span())?;
@@ -246,7 +265,8 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
         };
         let domain = [domain(&parameters[0])?, domain(&parameters[1])?];
         let other = position.components().iter().flat_map(|f| f.occurring_variables()).find(|variable| {
-            scope.calculus.is_function(variable) || (scope.parameters.contains(variable) && !parameters.contains(variable))
+            scope.calculus.is_function(variable)
+                || (scope.parameters.contains(variable) && !parameters.contains(variable))
         });
         if let Some(other) = other {
             let message = if scope.calculus.is_function(&other) {
@@ -254,7 +274,9 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
             } else {
                 format!("the surface contains the parameter `{other}`, which is not one of its own")
             };
-            return Err(Fault::new(expr.span(), message).help("a lemma can state identities for unknown functions"));
+            return Err(
+                Fault::new(expr.span(), message).help("a lemma can state identities for unknown functions")
+            );
         }
         Ok(SweptSurface::new(position, parameters, domain))
     })
@@ -287,7 +309,8 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
                 let mut calculus = hodograph_algebra::Calculus::clone(&scope.calculus);
                 scope.check_derivatives(&function.name, &parameter)?;
                 let symbol = calculus.function(&function.name.value, &parameter);
-                let value = FunctionValue { parameters: vec![parameter], value: Value::Scalar(symbol.into()) };
+                let value =
+                    FunctionValue { parameters: vec![parameter], value: Value::Scalar(symbol.into()) };
                 scope.define(&function.name, Value::Function(Rc::new(value)))?;
                 scope.calculus = Rc::new(calculus);
             }
@@ -470,14 +493,19 @@ impl Model {
     fn conditioned(&self, claim: &Claim) -> Result<Scope, Fault> {
         let mut scope = self.scope.clone();
         for condition in &claim.conditions {
-            let ExprKind::Relation { left, operator: RelationOperator::Equal, right } = condition.kind() else {
-                return Err(Fault::new(condition.span(), "a condition must set a symbol").help("write `when c0 == 1`"));
+            let ExprKind::Relation { left, operator: RelationOperator::Equal, right } = condition.kind()
+            else {
+                return Err(Fault::new(condition.span(), "a condition must set a symbol")
+                    .help("write `when c0 == 1`"));
             };
             let ExprKind::Ident(name) = left.kind() else {
-                return Err(Fault::new(left.span(), "a condition must set a symbol").help("write `when c0 == 1`"));
+                return Err(
+                    Fault::new(left.span(), "a condition must set a symbol").help("write `when c0 == 1`")
+                );
             };
             let symbol = scope.symbols.iter().find(|symbol| symbol.name() == name).cloned();
-            let symbol = symbol.ok_or_else(|| Fault::new(left.span(), format!("`{name}` is not a symbol")))?;
+            let symbol =
+                symbol.ok_or_else(|| Fault::new(left.span(), format!("`{name}` is not a symbol")))?;
             let value = scope.scalar(right, "the value of a symbol")?;
             scope = scope.with_symbol(&symbol, &value, condition.span())?;
         }

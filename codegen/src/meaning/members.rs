@@ -12,7 +12,19 @@ use crate::language::{Span, closest};
 
 /// The members of curves.
 const CURVE_MEMBERS: &[&str] = &[
-    "arclength", "curvature", "evolute", "hodograph", "involute", "length", "normal", "offset", "speed", "tangent", "x", "y", "z",
+    "arclength",
+    "curvature",
+    "evolute",
+    "hodograph",
+    "involute",
+    "length",
+    "normal",
+    "offset",
+    "speed",
+    "tangent",
+    "x",
+    "y",
+    "z",
 ];
 
 /// The members of surfaces.

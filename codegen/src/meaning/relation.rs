@@ -131,7 +131,8 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
             let message = format!("a degree is compared with {stated}");
             Fault::new(right.span(), message).help(format!("write `{form}`"))
         })?;
-        let holds = |test: fn(&i64, &i64) -> bool| degree.degrees.iter().zip(&stated).all(|(a, b)| test(a, b));
+        let holds =
+            |test: fn(&i64, &i64) -> bool| degree.degrees.iter().zip(&stated).all(|(a, b)| test(a, b));
         let holds = match operator {
             RelationOperator::Equal => holds(i64::eq),
             RelationOperator::LessEqual => holds(i64::le),
@@ -201,7 +202,9 @@ fn equality(scope: &Scope, left: &Expr, a: &Value, right: &Expr, b: &Value) -> R
         return Ok(Finding::new(true, format!("both sides are {value}")).about(a.iter().chain(&b)));
     }
     let witness = witness::unequal(scope, &a, &b);
-    Ok(Finding::new(false, format!("the left side is {value}")).with_witness(witness).about(a.iter().chain(&b)))
+    Ok(Finding::new(false, format!("the left side is {value}"))
+        .with_witness(witness)
+        .about(a.iter().chain(&b)))
 }
 
 /// A value for a report: scalars bare, several components in parentheses, cut where very long.
@@ -240,7 +243,8 @@ fn parallel(scope: &Scope, left: &Expr, right: &Expr) -> Result<Finding, Fault> 
     let zero = |side: &[Fraction]| side.iter().all(Fraction::is_zero);
     if zero(&a) || zero(&b) {
         let which = if zero(&a) { "left" } else { "right" };
-        return Ok(Finding::new(false, format!("the {which} side is zero and has no direction")).about(a.iter().chain(&b)));
+        return Ok(Finding::new(false, format!("the {which} side is zero and has no direction"))
+            .about(a.iter().chain(&b)));
     }
     let pairs = (0..a.len()).flat_map(|i| (0..i).map(move |j| (j, i)));
     let unequal = pairs.into_iter().find(|&(i, j)| &a[i] * &b[j] != &a[j] * &b[i]);
@@ -264,10 +268,13 @@ fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
             Value::Offset(offset) => match offset.as_ref() {
                 Ok(surface) => {
                     let degree = surface.homogeneous().degree();
-                    Ok(Finding::new(true, format!("rational, of degree {degree}")).about(surface.position().components()))
+                    Ok(Finding::new(true, format!("rational, of degree {degree}"))
+                        .about(surface.position().components()))
                 }
                 Err(error @ OffsetError::SymbolicRadical { radicand }) => {
-                    Ok(Finding::new(true, error.to_string()).about_variables(radicand.occurring_variables().into_iter().chain(scope.symbols.iter().cloned())))
+                    Ok(Finding::new(true, error.to_string()).about_variables(
+                        radicand.occurring_variables().into_iter().chain(scope.symbols.iter().cloned()),
+                    ))
                 }
                 Err(error @ OffsetError::Irrational { .. }) => {
                     Ok(Finding::new(false, error.to_string()).about_variables(scope.symbols.iter().cloned()))
@@ -295,7 +302,9 @@ fn approx(scope: &Scope, value: &Expr, digits: &Expr) -> Result<Finding, Fault> 
         _ => None,
     };
     let Some((text, decimal)) = decimal else {
-        return Err(Fault::new(digits.span(), "a decimal number is expected here").help("write `approx(a, 1.414)`"));
+        return Err(
+            Fault::new(digits.span(), "a decimal number is expected here").help("write `approx(a, 1.414)`")
+        );
     };
     let stated = Poly::constant(if negative { -decimal } else { decimal });
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -319,7 +328,10 @@ fn inequality(scope: &Scope, value: &Fraction, strict: bool, span: Span) -> Resu
     if let Some(number) = value.to_number() {
         let sign = number.sign();
         let holds = sign.is_gt() || (!strict && sign.is_eq());
-        return Ok(Finding::new(holds, format!("the difference to zero is {}", shortened(&number.to_string()))));
+        return Ok(Finding::new(
+            holds,
+            format!("the difference to zero is {}", shortened(&number.to_string())),
+        ));
     }
     let variables = value.occurring_variables();
     let mut domain: Vec<(Variable, Interval)> = Vec::new();
@@ -331,13 +343,16 @@ fn inequality(scope: &Scope, value: &Fraction, strict: bool, span: Span) -> Resu
                 return Err(Fault::new(span, message).help(format!("add `domain {variable} in 0..1;`")));
             }
             None => {
-                return Ok(Finding::undecided(format!("it depends on the unknown `{variable}`")).about([&value]));
+                return Ok(
+                    Finding::undecided(format!("it depends on the unknown `{variable}`")).about([&value])
+                );
             }
         }
     }
     for (factor, _) in value.factors() {
         if factor.sign_on(&domain).is_none_or(|sign| !matches!(sign, BoxSign::Positive | BoxSign::Negative)) {
-            let message = format!("the denominator {} may vanish on the domain", shortened(&factor.to_string()));
+            let message =
+                format!("the denominator {} may vanish on the domain", shortened(&factor.to_string()));
             return Ok(Finding::undecided(message).about([&value]));
         }
     }
@@ -354,15 +369,18 @@ fn inequality(scope: &Scope, value: &Fraction, strict: bool, span: Span) -> Resu
             Finding::new(false, "negative on the whole domain").with_witness(witness::corner(&domain))
         }
         BoxSign::Zero => Finding::new(!strict, "zero everywhere").with_witness(witness::corner(&domain)),
-        BoxSign::NonNegative { zeros } if !strict => Finding::new(true, format!("not negative; zeros: {zeros}")),
-        BoxSign::NonNegative { zeros } if zeros.is_empty() => Finding::new(true, "positive on the whole domain"),
+        BoxSign::NonNegative { zeros } if !strict => {
+            Finding::new(true, format!("not negative; zeros: {zeros}"))
+        }
+        BoxSign::NonNegative { zeros } if zeros.is_empty() => {
+            Finding::new(true, "positive on the whole domain")
+        }
         BoxSign::NonNegative { zeros } if zeros.is_complete() => {
             let finding = Finding::new(false, format!("not negative, with zeros: {zeros}"));
             finding.with_witness(zeros.witness(&domain).map(at))
         }
-        BoxSign::NonPositive { zeros } => {
-            Finding::new(false, format!("not positive; zeros: {zeros}")).with_witness(witness::negative(&signed, &domain))
-        }
+        BoxSign::NonPositive { zeros } => Finding::new(false, format!("not positive; zeros: {zeros}"))
+            .with_witness(witness::negative(&signed, &domain)),
         BoxSign::ChangesSign { negative, .. } => {
             Finding::new(false, "of both signs on the domain").with_witness(Some(at(negative)))
         }

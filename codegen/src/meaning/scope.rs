@@ -4,19 +4,48 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use hodograph_algebra::{Calculus, Curve, Fraction, Interval, KnownProperties, Poly, SweptSurface, Variable, Vector};
+use hodograph_algebra::{
+    Calculus, Curve, Fraction, Interval, KnownProperties, Poly, SweptSurface, Variable, Vector,
+};
 
-use super::fault::Fault;
 use super::calls::substitute;
+use super::fault::Fault;
 use super::value::{ComplexFraction, FunctionValue, Value};
 use crate::language::ast::Name;
 use crate::language::{Diagnostic, Span, closest};
 
 /// Functions of the language, which cannot be redefined.
 pub(super) const FUNCTIONS: &[&str] = &[
-    "abs", "approx", "bezier", "conj", "coprime", "cos", "cross", "curvature", "curve_from_hodograph", "degree", "diff", "dot", "exp", "gcd",
-    "homogeneous", "im", "is_rational", "norm2", "normal", "offset", "parallel", "ph", "ph_hermite",
-    "polynomial_curve", "positive", "rational_curve", "re", "regular_curve", "sin", "sqrt",
+    "abs",
+    "approx",
+    "bezier",
+    "conj",
+    "coprime",
+    "cos",
+    "cross",
+    "curvature",
+    "curve_from_hodograph",
+    "degree",
+    "diff",
+    "dot",
+    "exp",
+    "gcd",
+    "homogeneous",
+    "im",
+    "is_rational",
+    "norm2",
+    "normal",
+    "offset",
+    "parallel",
+    "ph",
+    "ph_hermite",
+    "polynomial_curve",
+    "positive",
+    "rational_curve",
+    "re",
+    "regular_curve",
+    "sin",
+    "sqrt",
 ];
 
 /// Names that always have a value, which cannot be redefined.
@@ -199,7 +228,12 @@ impl Scope {
     }
 
     /// The same scope with a scalar in place of a symbol.
-    pub(super) fn with_symbol(&self, symbol: &Variable, value: &Fraction, span: Span) -> Result<Scope, Fault> {
+    pub(super) fn with_symbol(
+        &self,
+        symbol: &Variable,
+        value: &Fraction,
+        span: Span,
+    ) -> Result<Scope, Fault> {
         let values = BTreeMap::from([(symbol.clone(), value.clone())]);
         let mut scope = self.clone();
         for (known, _) in scope.values.values_mut() {
@@ -226,7 +260,9 @@ impl Scope {
         if let Some(value) = constant(name) {
             return Ok(value);
         }
-        if let (Some(surface), Some(index)) = (&self.surface, COORDINATES.iter().position(|known| *known == name)) {
+        if let (Some(surface), Some(index)) =
+            (&self.surface, COORDINATES.iter().position(|known| *known == name))
+        {
             return Ok(Value::Scalar(surface.homogeneous().coordinates()[index].clone().into()));
         }
         if FUNCTIONS.contains(&name) {
@@ -241,12 +277,16 @@ impl Scope {
         let parameters = self.parameters.iter().map(Variable::name);
         let known = self.values.keys().map(String::as_str).chain(parameters);
         let coordinates = COORDINATES.iter().filter(|_| self.surface.is_some());
-        let known = known.chain(FUNCTIONS.iter().copied()).chain(CONSTANTS.iter().copied()).chain(coordinates.copied());
+        let known = known
+            .chain(FUNCTIONS.iter().copied())
+            .chain(CONSTANTS.iter().copied())
+            .chain(coordinates.copied());
         let fault = Fault::new(span, format!("`{name}` is not defined"));
         match closest(name, known) {
             Some(similar) => fault.help(format!("did you mean `{similar}`?")),
             None if COORDINATES.contains(&name) => fault.help("W, X, Y and Z are known after `surface`"),
-            None => fault.help("define it before its use: `let`, `symbol`, `function`, `profile`, `path` or `curve`"),
+            None => fault
+                .help("define it before its use: `let`, `symbol`, `function`, `profile`, `path` or `curve`"),
         }
     }
 }
@@ -286,16 +326,24 @@ fn specialize(
             let position = substitute(scope, span, value, values)?.vector().unwrap_or_else(Vector::zero);
             let domain = scope.domains.get(curve.parameter()).cloned();
             let known = KnownProperties::default();
-            Value::Curve(Rc::new(Curve::new(curve.parameter(), position, domain, known, scope.calculus.clone())))
+            Value::Curve(Rc::new(Curve::new(
+                curve.parameter(),
+                position,
+                domain,
+                known,
+                scope.calculus.clone(),
+            )))
         }
-        Value::Surface(surface) => Value::Surface(Rc::new(specialized_surface(scope, span, surface, values)?)),
+        Value::Surface(surface) => {
+            Value::Surface(Rc::new(specialized_surface(scope, span, surface, values)?))
+        }
         Value::Function(function) => {
             let value = specialize(scope, span, &function.value, values)?;
             Value::Function(Rc::new(FunctionValue { parameters: function.parameters.clone(), value }))
         }
-        Value::List(parts) => {
-            Value::List(parts.iter().map(|part| specialize(scope, span, part, values)).collect::<Result<_, _>>()?)
-        }
+        Value::List(parts) => Value::List(
+            parts.iter().map(|part| specialize(scope, span, part, values)).collect::<Result<_, _>>()?,
+        ),
         Value::Offset(_) | Value::Degree(_) => value.clone(),
         Value::Scalar(_) | Value::Complex(_) | Value::Vector(_) | Value::Tuple(_) => {
             substitute(scope, span, value, values)?

@@ -31,7 +31,9 @@ pub(super) fn not_parallel(
 
 /// A point of the domain where all variables are at the beginning of their intervals.
 pub(super) fn corner(domain: &[(Variable, Interval)]) -> Option<String> {
-    Some(point(&domain.iter().map(|(variable, interval)| (variable.clone(), interval.lower().clone())).collect()))
+    Some(point(
+        &domain.iter().map(|(variable, interval)| (variable.clone(), interval.lower().clone())).collect(),
+    ))
 }
 
 /// A point of the domain where the polynomial is negative, among a few rational ones.
@@ -47,7 +49,8 @@ pub(super) fn negative(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<S
 
 /// A point as text: `u = 1/2, v = 0`.
 pub(super) fn point(point: &Point) -> String {
-    let equations: Vec<String> = point.iter().map(|(variable, value)| format!("{variable} = {value}")).collect();
+    let equations: Vec<String> =
+        point.iter().map(|(variable, value)| format!("{variable} = {value}")).collect();
     equations.join(", ")
 }
 
