@@ -1,34 +1,10 @@
 //! The command `hodograph`, run as scripts and people run it: output, keys of JSON, exit status, bad input.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::sync::OnceLock;
 
 use serde_json::Value;
-
-/// The binary, built once in the profile of the tests.
-fn binary() -> &'static Path {
-    static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY.get_or_init(|| {
-        // …/target/<profile>/deps/cli-<hash>
-        let own = std::env::current_exe().expect("a running test has a path");
-        let profile = own.parent().and_then(Path::parent).expect("tests are built in deps").to_owned();
-        let mut build = Command::new(env!("CARGO"));
-        build
-            .args(["build", "--quiet", "--package", "hodograph-cli"])
-            .current_dir(env!("CARGO_MANIFEST_DIR"));
-        build.env("CARGO_TARGET_DIR", profile.parent().unwrap_or(&profile));
-        match profile.file_name().and_then(|name| name.to_str()) {
-            Some("debug") | None => {}
-            Some(name) => {
-                build.args(["--profile", name]);
-            }
-        }
-        assert!(build.status().is_ok_and(|status| status.success()), "the command does not build");
-        profile.join(format!("hodograph{}", std::env::consts::EXE_SUFFIX))
-    })
-}
 
 /// What the command did.
 struct Run {
@@ -62,7 +38,7 @@ impl Run {
 }
 
 fn run(arguments: &[&str]) -> Run {
-    Command::new(binary())
+    Command::new(&hodograph_tests::build::built().binary)
         .args(arguments)
         .stdin(Stdio::null())
         .output()
@@ -72,7 +48,7 @@ fn run(arguments: &[&str]) -> Run {
 
 /// Runs the command with a text as its standard input.
 fn run_with(input: &[u8], arguments: &[&str]) -> Run {
-    let mut command = Command::new(binary());
+    let mut command = Command::new(&hodograph_tests::build::built().binary);
     command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap_or_else(|error| panic!("{error}"));
     if let Some(mut stdin) = child.stdin.take() {
@@ -457,7 +433,7 @@ fn bad_input_is_refused() -> Result<(), Box<dyn std::error::Error>> {
 
 #[test]
 fn a_closed_pipe_is_no_failure() {
-    let mut command = Command::new(binary());
+    let mut command = Command::new(&hodograph_tests::build::built().binary);
     command.args(["derive", "oriented_translation_example_2", "--format", "json"]);
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap_or_else(|error| panic!("{error}"));

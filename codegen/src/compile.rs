@@ -20,7 +20,7 @@ use crate::schedule::{self, Derived, Mismatch, ScheduleError};
 
 /// The work that the macro spends on the claims of one sweep, in units of [`budget`]; claims on degrees always count as
 /// affordable. What does not fit is left to `hodograph verify` and the tests.
-pub const CLAIMS_LIMIT: u64 = 4_000_000;
+pub const CLAIMS_LIMIT: u64 = 400_000;
 
 /// Why a sweep has no evaluator.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use hodograph::{Regularity, Surface, catalogue};
 
 /// Facets along each parameter.
-const FACETS: usize = 24;
+const FACETS: usize = 18;
 /// An orthonormal frame: right, up, and toward the eye.
 const VIEW: [[f64; 3]; 3] = [[0.8, -0.6, 0.0], [0.36, 0.48, 0.8], [-0.48, -0.64, 0.6]];
 /// Where the light comes from, in space.

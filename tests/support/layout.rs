@@ -37,8 +37,10 @@ pub fn text(entry: &Entry) -> String {
     coordinates(&mut page, &derivation.homogeneous);
     normal(&mut page, derivation);
     page.heading("Parametric speeds");
-    for (name, speed) in ["|R_u|", "|R_v|"].iter().zip(&derivation.speeds) {
+    for (variable, speed) in derivation.parameters.iter().zip(&derivation.speeds) {
+        let name = format!("|R_{}|", variable.name());
         match &speed.root {
+            Some(root) if speed.certified => page.fraction(&format!("{name} = "), root),
             Some(root) => page.fraction(&format!("{name} = ± "), root),
             None => page.fraction(&format!("{name}² = "), &speed.squared),
         }
@@ -54,7 +56,8 @@ pub fn text(entry: &Entry) -> String {
 }
 
 fn degrees(page: &mut Page<'_>, derivation: &Derivation) {
-    page.heading("Degrees in (u, v)");
+    let [u, v] = derivation.parameters.each_ref().map(Variable::name);
+    page.heading(&format!("Degrees in ({u}, {v})"));
     let homogeneous = &derivation.homogeneous;
     let [w, x, y, z] = homogeneous.coordinates();
     let groups: [(&str, &[&Poly]); 6] =
@@ -91,7 +94,8 @@ fn coordinates(page: &mut Page<'_>, homogeneous: &Homogeneous) {
 
 fn normal(page: &mut Page<'_>, derivation: &Derivation) {
     let normal = &derivation.normal;
-    page.heading("Normal: R_u × R_v = factor · N");
+    let [u, v] = derivation.parameters.each_ref().map(Variable::name);
+    page.heading(&format!("Normal: R_{u} × R_{v} = factor · N"));
     page.fraction("factor = ", normal.factor());
     for (name, component) in ["N_x", "N_y", "N_z"].iter().zip(normal.numerator()) {
         page.polynomial(&format!("{name} = "), component);

@@ -61,8 +61,8 @@ impl ParametricSpeed {
             };
             // |f·N| = |f|·|N|: only the length of the direction needs a root.
             let norm2 = Fraction::from(direction.norm2());
-            let squared = &(&direction.factor * &direction.factor) * &norm2;
-            let root = rational_root(&norm2).ok().map(|length| &direction.factor * &length);
+            let squared = (&(&direction.factor * &direction.factor) * &norm2).reduced();
+            let root = rational_root(&norm2).ok().map(|length| (&direction.factor * &length).reduced());
             let oriented = root.map(|root| {
                 let negative = sample_sign_on_box(&root, parameters, domain).is_lt();
                 if negative { -&root } else { root }

@@ -261,10 +261,12 @@ impl<C: Constant> Program<C> {
         self.unique((6, a.0, 0), Operation::SquareRoot(a))
     }
 
-    /// Gives `value` a name, if it has none and no other value has this one; names make text and code readable.
+    /// Gives `value` a name, if it has none and no other value has this one; names make text and code readable. Constants
+    /// and inputs are called what they are.
     pub fn name(&mut self, value: Value, name: &str) {
         let taken = self.names.contains_key(&value) || self.names.values().any(|known| known == name);
-        if !taken && self.stage(value) != Stage::Constant {
+        let input = matches!(self.operation(value), Operation::Input(_));
+        if !taken && !input && self.stage(value) != Stage::Constant {
             self.names.insert(value, name.to_string());
         }
     }
