@@ -1,7 +1,6 @@
 //! The command `hodograph`, run as scripts and people run it: output, keys of JSON, exit status, bad input.
 
 use std::io::Write;
-use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;

@@ -1,6 +1,44 @@
 //! Exact mathematics of rational swept surfaces: from integers to the homogeneous coordinates of a sweep.
 //!
-//! Everything here is exact; there are no floats, no tokens and no files.
+//! Everything here is exact; there are no floats, no tokens and no files. Each layer uses those above it alone:
+//!
+//! | layer | what it is |
+//! | --- | --- |
+//! | [`budget`] | deterministic limits for work that could explode |
+//! | numbers | [`Int`], [`Rational`], [`Enclosure`]; [`NumberField`]: towers of square roots; [`Complex`]; [`cos_pi`] |
+//! | polynomials | [`Poly`] over a [`Ring`]: arithmetic, exact division, gcd, [`Squarefree`], [`SquareSplit`], resultant |
+//! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
+//! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors |
+//! | curves | [`Vector`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
+//! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], offset, [`SingularLocus`], [`ControlNet`] |
+//!
+//! # Example
+//! FN Example 2: a circular arc moves along a PH quintic, in its normal plane.
+//! ```
+//! use hodograph_algebra::*;
+//! use std::rc::Rc;
+//!
+//! let [u, v] = [Variable::new(0, "u"), Variable::new(1, "v")];
+//! // The profile (16): x = (1 − u²)/(1 + u²), z = 2u/(1 + u²).
+//! let square = Poly::variable(&u).pow(2);
+//! let over_weight = |numerator: Poly| Fraction::new(numerator, [(&square + Poly::one(), 1)]);
+//! let [x, z] = [over_weight(Poly::one() - &square), over_weight(Poly::variable(&u).scale(&integer(2)))];
+//! // The path: the PH quintic of least absolute rotation index with these Hermite data.
+//! let point = |x, y| Complex::new(Poly::integer(x), Poly::integer(y));
+//! let data = Hermite::new(&point(0, 0), &point(0, 4), &point(2, 2), &point(4, 0)).unwrap();
+//! let PhCurve { position, .. } = data.least_rotation().unwrap().curve(&v, &point(0, 0));
+//! let position = Vector::new(position.re.into(), position.im.into(), Fraction::zero());
+//! let path = Curve::new(&v, position, Some(Interval::unit()), KnownProperties::default(), Rc::default());
+//! // The sweep (17): R = s + x n + z k.
+//! let across = path.normal().unwrap().scale(&x);
+//! let formula = &(path.position() + &across) + &Vector::unit(2).scale(&z);
+//! let surface = SweptSurface::new(formula, [u, v], [Interval::unit(), Interval::unit()]);
+//!
+//! let derivation = surface.derive().unwrap();
+//! assert_eq!(derivation.homogeneous.degree().to_string(), "(2, 9)");
+//! assert_eq!(derivation.field.degree(), 4);
+//! assert!(derivation.offset.is_rational() && derivation.singular.is_regular());
+//! ```
 
 #![deny(clippy::float_arithmetic)]
 
