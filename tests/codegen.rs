@@ -107,7 +107,8 @@ const PLACES: [(f64, f64); 5] = [(0.0, 0.0), (1.0, 1.0), (0.25, 0.75), (0.1, 0.9
 fn standalone_code_needs_nothing_and_gives_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
     let artifacts = artifacts();
-    let text = standalone(&artifacts).unwrap();
+    let runtime: Vec<(&str, &str)> = hodograph::runtime().iter().map(|file| (file.name, file.text)).collect();
+    let text = standalone(&artifacts, &runtime).unwrap();
     assert!(!text.contains("hodograph"), "the text names the package");
     let library = std::format!("//! Surfaces.\n{text}");
     assert_eq!(compiles(folder.path(), &library, &["--crate-type", "lib", "--emit", "metadata"]), Ok(()));

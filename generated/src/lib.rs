@@ -26,5 +26,5 @@ pub use grid::GridError;
 pub use hodograph_macros::sweep;
 pub use regularity::Regularity;
 #[cfg(feature = "sources")]
-pub use sources::{Source, sources};
+pub use sources::{Source, runtime, sources};
 pub use surface::{Domain, Surface};

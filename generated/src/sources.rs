@@ -1,9 +1,9 @@
-//! The text of the catalogue's formulas.
+//! The text of the catalogue's formulas, and of the runtime that generated code uses.
 
-/// A file of the catalogue in the sweep language.
+/// A file by its name and text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// The name of the file, without its extension `.sweep`.
+    /// The name of the file, without its extension.
     pub name: &'static str,
     /// The whole text.
     pub text: &'static str,
@@ -18,6 +18,22 @@ pub struct Source {
 #[must_use]
 pub const fn sources() -> &'static [Source] {
     SOURCES
+}
+
+/// The files of this library that evaluators need, which are modules of these names: with them, emitted source compiles on
+/// its own.
+///
+/// ```
+/// let names: Vec<&str> = hodograph::runtime().iter().map(|source| source.name).collect();
+/// assert_eq!(names, ["grid", "regularity", "surface"]);
+/// ```
+#[must_use]
+pub const fn runtime() -> &'static [Source] {
+    &[
+        Source { name: "grid", text: include_str!("grid.rs") },
+        Source { name: "regularity", text: include_str!("regularity.rs") },
+        Source { name: "surface", text: include_str!("surface.rs") },
+    ]
 }
 
 /// The files with these names, in this order.

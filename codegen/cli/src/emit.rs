@@ -52,7 +52,9 @@ fn rust(document: &Document, arguments: &EmitArguments) -> Result<String, Failur
         return Err(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
     }
     let text = if arguments.standalone {
-        emit::standalone(&artifacts)
+        let runtime: Vec<(&str, &str)> =
+            hodograph::runtime().iter().map(|file| (file.name, file.text)).collect();
+        emit::standalone(&artifacts, &runtime)
     } else {
         emit::format(artifacts.iter().map(|artifact| emit::module(artifact, &quote!(::hodograph))).collect())
     };

@@ -6,32 +6,27 @@ use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta};
 
 use super::{Artifact, format, module};
 
-/// The runtime's files that surfaces use, by the names of their modules.
-const RUNTIME: [(&str, &str); 3] = [
-    ("grid", include_str!("../../../generated/src/grid.rs")),
-    ("regularity", include_str!("../../../generated/src/regularity.rs")),
-    ("surface", include_str!("../../../generated/src/surface.rs")),
-];
-
 /// The modules of `artifacts` and, in a module `runtime`, what they need of the runtime, laid out as text.
+///
+/// `files` are the runtime's files by the names of their modules, as `hodograph::runtime()` gives them.
 ///
 /// Square roots are those of the standard library. Examples in the runtime's documentation are left out, since they
 /// name its package.
 ///
 /// # Errors
 /// The error of syn if the runtime's files do not parse, which its own build would have reported.
-pub fn standalone(artifacts: &[Artifact]) -> Result<String, syn::Error> {
+pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<String, syn::Error> {
     let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::runtime }));
-    let runtime = runtime()?;
+    let runtime = runtime(files)?;
     format(quote! {
         #(#modules)*
         #runtime
     })
 }
 
-fn runtime() -> Result<TokenStream, syn::Error> {
+fn runtime(files: &[(&str, &str)]) -> Result<TokenStream, syn::Error> {
     let mut modules = TokenStream::new();
-    for (name, text) in RUNTIME {
+    for (name, text) in files {
         let mut file: syn::File = syn::parse_str(&text.replace("use crate::", "use super::"))?;
         file.items.retain(|item| !matches!(item, Item::Mod(_)));
         file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));

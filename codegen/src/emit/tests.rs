@@ -45,8 +45,12 @@ fn parameters_that_are_not_read_are_marked() {
 
 #[test]
 fn standalone_text_names_no_package() {
+    let surface = "//! The trait.\n\n/// A surface.\n///\n/// ```\n/// use hodograph::Surface;\n/// ```\npub trait Surface {}\n";
+    let runtime =
+        [("grid", "pub enum GridError {}"), ("regularity", "pub enum Regularity {}"), ("surface", surface)];
     let text =
-        standalone(&[artifact("patch", &bilinear()), artifact("other", &quintic_translation())]).unwrap();
+        standalone(&[artifact("patch", &bilinear()), artifact("other", &quintic_translation())], &runtime)
+            .unwrap();
     assert!(!text.contains("hodograph"), "{text}");
     assert!(!text.contains("cfg"), "{text}");
     assert!(!text.contains("assert"), "{text}");

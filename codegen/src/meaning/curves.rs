@@ -119,7 +119,7 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
     };
     let mut preimage = preimage.map_err(|error| Fault::new(argument.span(), error.to_string()))?;
     if let Some(factor) = factor {
-        let poly = super::calls::polynomial(scope, factor)?;
+        let poly = super::functions::polynomial(scope, factor)?;
         if poly.is_zero() {
             return Err(Fault::new(
                 factor.span(),

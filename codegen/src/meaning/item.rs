@@ -6,14 +6,12 @@ use hodograph_algebra::{Curve, Fraction, Interval, Poly, SweptSurface, Variable,
 
 use super::curves::{self, CurveContext};
 use super::fault::Fault;
-use super::relation::{self, Finding};
 use super::scope::Scope;
 use super::value::{FunctionValue, Value};
 use crate::language::ast::{
     Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name,
-    RelationOperator, Verdict,
 };
-use crate::language::{Diagnostic, Diagnostics, Span};
+use crate::language::{Diagnostics, Span};
 
 /// What a sweep or a lemma means: its surface, and its claims ready to be checked.
 #[derive(Clone, Debug)]
@@ -34,35 +32,8 @@ pub struct Model {
     pub surface: Option<Rc<SweptSurface>>,
     /// The claims, in the order of the source.
     pub claims: Vec<Claim>,
-    path: Option<String>,
-    scope: Scope,
-}
-
-/// What became of one claim.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Judgement {
-    /// The claim's id.
-    pub id: String,
-    /// The sweep or lemma that it stands in.
-    pub sweep: String,
-    /// What the item gives as its source.
-    pub source: Option<String>,
-    /// The claim as the language writes it.
-    pub statement: String,
-    /// The notes of the claim.
-    pub notes: Vec<String>,
-    /// The verdict.
-    pub verdict: Verdict,
-    /// For what the verdict holds.
-    pub scope: String,
-    /// The conditions of the claim.
-    pub condition: Option<String>,
-    /// The verdict that the source expects.
-    pub expected: Verdict,
-    /// What was derived.
-    pub derived: String,
-    /// Where the claim fails.
-    pub witness: Option<String>,
+    pub(super) path: Option<String>,
+    pub(super) scope: Scope,
 }
 
 /// The models of all items of a file, and the mistakes in them.
@@ -253,7 +224,7 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
             fault.help("a scalar becomes a vector by a unit vector: `z*k`")
         })?;
         check_finite(&value, expr.span())?;
-        let parameters = super::calls::surface_parameters(scope);
+        let parameters = super::functions::surface_parameters(scope);
         let domain = |parameter: &Variable| {
             scope.domains.get(parameter).cloned().ok_or_else(|| {
                 if states_domain(item, parameter) {
@@ -438,7 +409,7 @@ fn poison(scope: &mut Scope, clause: &Clause) {
 }
 
 /// Reports unknown names in a claim, which is evaluated only when it is checked.
-fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnostics) {
+pub(super) fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnostics) {
     match expr.kind() {
         ExprKind::Ident(name) => {
             if !scope.knows(name) {
@@ -456,103 +427,5 @@ impl Model {
         let mut curves = self.scope.curves();
         curves.sort_by_key(|(name, _)| (Some(*name) != self.path.as_deref(), *name));
         curves
-    }
-
-    /// Checks one claim under a budget.
-    ///
-    /// # Errors
-    /// A mistake in the claim. A claim that needs more than the budget is *undecided*, not a mistake.
-    pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
-        let outcome = budget::with_budget(limit, || {
-            let scope = self.conditioned(claim)?;
-            check_names_at_once(&scope, &claim.relation)?;
-            relation::settle(&scope, &claim.relation)
-        });
-        let finding = match outcome {
-            Ok(Ok(finding)) => finding,
-            Ok(Err(fault)) => return Err(fault.diagnostic),
-            Err(exhausted) => Finding::undecided(exhausted.to_string()),
-        };
-        let conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
-        Ok(Judgement {
-            id: claim.id.value.clone(),
-            sweep: self.name.clone(),
-            source: self.source.clone(),
-            statement: claim.relation.to_string(),
-            notes: claim.notes.iter().map(|note| note.value.clone()).collect(),
-            verdict: finding.verdict,
-            scope: self.scope_of(&finding),
-            condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
-            expected: claim.expected.as_ref().map_or(Verdict::Proved, |expected| expected.value),
-            derived: finding.derived,
-            witness: finding.witness.filter(|_| finding.verdict == Verdict::Refuted),
-        })
-    }
-
-    /// The scope of a claim with its conditions put in: `when c0 == 1` sets a symbol.
-    fn conditioned(&self, claim: &Claim) -> Result<Scope, Fault> {
-        let mut scope = self.scope.clone();
-        for condition in &claim.conditions {
-            let ExprKind::Relation { left, operator: RelationOperator::Equal, right } = condition.kind()
-            else {
-                return Err(Fault::new(condition.span(), "a condition must set a symbol")
-                    .help("write `when c0 == 1`"));
-            };
-            let ExprKind::Ident(name) = left.kind() else {
-                return Err(
-                    Fault::new(left.span(), "a condition must set a symbol").help("write `when c0 == 1`")
-                );
-            };
-            let symbol = scope.symbols.iter().find(|symbol| symbol.name() == name).cloned();
-            let symbol =
-                symbol.ok_or_else(|| Fault::new(left.span(), format!("`{name}` is not a symbol")))?;
-            let value = scope.scalar(right, "the value of a symbol")?;
-            scope = scope.with_symbol(&symbol, &value, condition.span())?;
-        }
-        Ok(scope)
-    }
-
-    /// For what a finding holds, in words.
-    fn scope_of(&self, finding: &Finding) -> String {
-        let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
-        let is_unknown = |variable: &&Variable| !self.scope.parameters.contains(variable);
-        let mut unknowns: Vec<Variable> = finding.variables.iter().filter(is_unknown).cloned().collect();
-        // Where all unknowns cancel, the finding is about each of them.
-        if finding.variables.is_empty() && self.kind == ItemKind::Lemma {
-            unknowns = self.scope.unknowns();
-        }
-        for variable in &unknowns {
-            match self.scope.owner(variable) {
-                Some((name, true)) => curves.push(name),
-                Some((name, false)) => functions.push(name),
-                None => symbols.push(variable.name()),
-            }
-        }
-        let mut parts = Vec::new();
-        let every = if finding.general { "a general" } else { "every" };
-        let all = if finding.general { "general" } else { "all" };
-        for (role, names) in [("functions ", &mut functions), ("", &mut symbols)] {
-            names.sort_unstable();
-            names.dedup();
-            if !names.is_empty() {
-                parts.push(format!("{all} {role}{}", names.join(", ")));
-            }
-        }
-        curves.dedup();
-        parts.extend(curves.iter().map(|curve| format!("{every} curve {curve}")));
-        match (parts.is_empty(), self.kind) {
-            (false, _) => parts.join(" and "),
-            (true, ItemKind::Sweep) => format!("the sweep {}", self.name),
-            (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
-        }
-    }
-}
-
-fn check_names_at_once(scope: &Scope, expr: &Expr) -> Result<(), Fault> {
-    let mut diagnostics = Diagnostics::new();
-    check_names(scope, expr, &mut diagnostics);
-    match diagnostics.iter().next() {
-        Some(diagnostic) => Err(diagnostic.clone().into()),
-        None => Ok(()),
     }
 }

@@ -4,7 +4,9 @@ mod calls;
 mod curves;
 mod expression;
 mod fault;
+mod functions;
 mod item;
+mod judgement;
 mod members;
 mod number;
 mod relation;
@@ -13,5 +15,6 @@ mod value;
 mod witness;
 
 pub use expression::MAX_EXPONENT;
-pub use item::{Judgement, Model, models};
+pub use item::{Model, models};
+pub use judgement::Judgement;
 pub use number::number;

@@ -2,12 +2,12 @@
 
 use hodograph_algebra::{BoxSign, Fraction, Interval, OffsetError, Poly, Variable, integer, parse_decimal};
 
-use super::calls;
 use super::expression::shortened;
 use super::fault::Fault;
 use super::scope::Scope;
 use super::value::Value;
 use super::witness;
+use super::{calls, functions};
 use crate::language::Span;
 use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator, Verdict};
 
@@ -106,7 +106,8 @@ fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument])
         }
         "coprime" => {
             let exprs = arguments.iter().map(|argument| &argument.value);
-            let polys = exprs.map(|expr| calls::polynomial(scope, expr)).collect::<Result<Vec<_>, _>>()?;
+            let polys =
+                exprs.map(|expr| functions::polynomial(scope, expr)).collect::<Result<Vec<_>, _>>()?;
             if polys.len() < 2 {
                 return Err(Fault::new(relation.span(), "`coprime` takes two polynomials at least"));
             }

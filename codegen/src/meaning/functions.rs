@@ -1,0 +1,332 @@
+//! The functions of the language: derivatives, products of vectors, roots, angles, degrees, offsets.
+
+use std::rc::Rc;
+
+use hodograph_algebra::{
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector,
+    cos_pi, exp_i_pi, integer, rational_root, sin_pi,
+};
+
+use super::calls::Call;
+use super::curves;
+use super::fault::Fault;
+use super::scope::Scope;
+use super::value::{ComplexFraction, DegreeValue, Value};
+use crate::language::Span;
+use crate::language::ast::{Expr, ExprKind};
+
+/// The value of a call of a function of the language.
+pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Value, Fault> {
+    match name {
+        "diff" => derivative(scope, call),
+        "dot" => {
+            let [a, b] = call.positional()?;
+            Ok(Value::Scalar(call.vector(a)?.dot(&call.vector(b)?)))
+        }
+        "cross" => {
+            let [a, b] = call.positional()?;
+            Ok(Value::Vector(call.vector(a)?.cross(&call.vector(b)?)))
+        }
+        "norm2" => {
+            let [a] = call.positional()?;
+            let value = scope.evaluate(a)?;
+            match value.complex() {
+                Some(complex) => Ok(Value::Scalar(complex.norm2())),
+                None => Ok(Value::Scalar(call.vector(a)?.norm2())),
+            }
+        }
+        "conj" | "re" | "im" => {
+            let [a] = call.positional()?;
+            let value = scope.evaluate(a)?;
+            let complex = value.complex().ok_or_else(|| {
+                Fault::new(a.span(), format!("`{name}` needs a complex number, but this is {}", value.kind()))
+            })?;
+            Ok(match name {
+                "conj" => Value::Complex(complex.conj()),
+                "re" => Value::Scalar(complex.re),
+                _ => Value::Scalar(complex.im),
+            })
+        }
+        "sqrt" => square_root(scope, call),
+        "abs" => {
+            let [a] = call.positional()?;
+            let number = scope.number(a, "the argument of `abs`")?;
+            let negative = number.sign().is_lt();
+            Ok(Value::Scalar(if negative { (-number).into() } else { number.into() }))
+        }
+        "exp" | "cos" | "sin" => angle(scope, call),
+        "degree" => degree(scope, call),
+        "homogeneous" => {
+            let [a] = call.positional()?;
+            let homogeneous = homogeneous(scope, call, a)?;
+            Ok(Value::Tuple(homogeneous.coordinates().iter().map(|poly| poly.clone().into()).collect()))
+        }
+        "normal" => {
+            let [a] = call.positional()?;
+            match scope.evaluate(a)?.bare() {
+                Value::Surface(surface) => {
+                    let normal = surface.normal().map_err(|error| Fault::offset(a.span(), &error))?;
+                    let [x, y, z] = normal.numerator().each_ref().map(|poly| Fraction::from(poly.clone()));
+                    Ok(Value::Vector(Vector::new(x, y, z)))
+                }
+                other => {
+                    let fault = Fault::new(
+                        a.span(),
+                        format!("`normal` needs the surface, but this is {}", other.kind()),
+                    );
+                    Err(fault.help("the normal of a curve is `s.normal`"))
+                }
+            }
+        }
+        "offset" => {
+            let [surface, distance] = call.positional()?;
+            let distance = scope.scalar(distance, "the distance of an offset")?;
+            match scope.evaluate(surface)?.bare() {
+                Value::Surface(surface) => Ok(Value::Offset(Rc::new(surface.offset(&distance)))),
+                Value::Curve(curve) => curve
+                    .offset(&distance)
+                    .map(Value::Vector)
+                    .map_err(|error| Fault::curve(call.span, &error)),
+                other => {
+                    let message =
+                        format!("`offset` needs a surface or a curve, but this is {}", other.kind());
+                    Err(Fault::new(surface.span(), message))
+                }
+            }
+        }
+        "gcd" => {
+            let polys = call
+                .several()?
+                .into_iter()
+                .map(|expr| polynomial(scope, expr))
+                .collect::<Result<Vec<_>, _>>()?;
+            Ok(Value::Scalar(Poly::gcd_many(&polys).into()))
+        }
+        "approx" | "coprime" | "is_rational" | "parallel" | "positive" => {
+            let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
+            Err(fault.help("relations stand in `claim` clauses"))
+        }
+        _ => curves::constructor(scope, call),
+    }
+}
+
+/// A parameter, given by its name.
+pub(super) fn parameter(scope: &Scope, expr: &Expr) -> Result<Variable, Fault> {
+    let ExprKind::Ident(name) = expr.kind() else {
+        return Err(
+            Fault::new(expr.span(), "a parameter is expected here").help("give its name, such as `u`")
+        );
+    };
+    let found = scope.parameters.iter().find(|parameter| parameter.name() == name);
+    found.cloned().ok_or_else(|| {
+        let known: Vec<&str> = scope.parameters.iter().map(Variable::name).collect();
+        let fault = Fault::new(expr.span(), format!("`{name}` is not a parameter"));
+        if known.is_empty() { fault } else { fault.help(format!("the parameters are {}", known.join(", "))) }
+    })
+}
+
+fn derivative(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let (positional, []) = call.with_names([])?;
+    let (value, by, order) = match positional.as_slice() {
+        [value, by] => (*value, *by, 1),
+        [value, by, order] => {
+            let n = scope.rational(order, "the order of a derivative")?;
+            let small =
+                n.is_integer().then(|| n.to_integer().small()).flatten().filter(|n| (0..=100).contains(n));
+            let message = "the order of a derivative is an integer from 0 to 100";
+            (*value, *by, small.ok_or_else(|| Fault::new(order.span(), message))?)
+        }
+        _ => return Err(Fault::new(call.span, "`diff` takes a function and a parameter: `diff(f, u)`")),
+    };
+    let by = parameter(scope, by)?;
+    let calculus = &scope.calculus;
+    let scalar = |f: &Fraction| (0..order).fold(f.clone(), |f, _| calculus.derivative(&f, &by));
+    let evaluated = scope.evaluate(value)?;
+    Ok(match evaluated.bare() {
+        Value::Scalar(f) => Value::Scalar(scalar(f)),
+        Value::Complex(f) => Value::Complex(ComplexFraction { re: scalar(&f.re), im: scalar(&f.im) }),
+        _ => {
+            let derived = Value::Vector(call.vector(value)?.map(scalar));
+            // The derivative of a curve is a function of the curve's parameter.
+            match evaluated.bare() {
+                Value::Curve(curve) if *curve.parameter() == by => as_function(curve, derived),
+                _ => derived,
+            }
+        }
+    })
+}
+
+fn as_function(curve: &Curve, value: Value) -> Value {
+    let parameters = vec![curve.parameter().clone()];
+    Value::Function(Rc::new(super::value::FunctionValue { parameters, value }))
+}
+
+fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [a] = call.positional()?;
+    let value = scope.scalar(a, "a radicand")?;
+    if value.is_zero() {
+        return Ok(Value::Scalar(value));
+    }
+    if let Some(number) = value.to_number() {
+        return match number.sqrt() {
+            Some(root) => Ok(Value::Scalar(root.into())),
+            None => {
+                let fault = Fault::new(
+                    a.span(),
+                    format!("the radicand {} is negative", super::expression::shortened(&number.to_string())),
+                );
+                Err(fault.help("write `I*sqrt(…)` for the square root of a negative number"))
+            }
+        };
+    }
+    let root = rational_root(&value.reduced()).map_err(|_| {
+        let split = value.reduced().numerator().square_split();
+        let message = format!("this square root is not a rational function: {} is not a square", split.odd);
+        let mut fault =
+            Fault::new(a.span(), message).help("roots of functions must be exact: only squares have them");
+        fault.irrational = true;
+        fault
+    })?;
+    nonnegative(scope, &root.lowest_terms(), a.span()).map(Value::Scalar)
+}
+
+/// The one of `root` and `-root` that is not negative on the domain.
+fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, Fault> {
+    let unknown = |why: String, help: &str| {
+        let root = super::expression::shortened(&root.to_string());
+        Err(Fault::new(span, format!("this square root is the absolute value of {root}, and {why}"))
+            .help(help))
+    };
+    let mut domain = Vec::new();
+    for variable in root.occurring_variables() {
+        let Some(interval) = scope.domains.get(&variable) else {
+            let help =
+                "write the root itself, with the sign that is meant, or state the domain of the parameter";
+            return unknown(format!("nothing is known of the sign of `{variable}`"), help);
+        };
+        domain.push((variable, interval.clone()));
+    }
+    // A factor and its reciprocal have the same sign.
+    let signed = root.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = signed.fold(root.numerator().clone(), |product, (factor, _)| product * factor);
+    match signed.sign_on(&domain) {
+        Some(BoxSign::Positive | BoxSign::Zero | BoxSign::NonNegative { .. }) => Ok(root.clone()),
+        Some(BoxSign::Negative | BoxSign::NonPositive { .. }) => Ok(-root),
+        _ => unknown("that changes its sign on the domain".to_owned(), "state a smaller domain"),
+    }
+}
+
+/// The rational `q` of an argument `q·π`, for `what` in `cos(q·π)`.
+fn multiple_of_pi(expr: &Expr, angle: &Fraction) -> Result<Rational, Fault> {
+    let pi = Variable::new(Variable::SYMBOL, "pi");
+    let rational = angle.to_poly().filter(|poly| poly.degree(&pi).unwrap_or(0) <= 1).and_then(|poly| {
+        let coefficients = poly.coefficients(&pi);
+        let constant = coefficients.first().map_or(Some(integer(0)), Poly::to_rational)?;
+        let slope = coefficients.get(1).map_or(Some(integer(0)), Poly::to_rational)?;
+        (constant == integer(0)).then_some(slope)
+    });
+    rational.ok_or_else(|| {
+        Fault::new(expr.span(), "this angle is not a rational multiple of pi")
+            .help("write it as `pi/8` or `3*pi/4`; other angles have no exact value here")
+    })
+}
+
+fn angle(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [a] = call.positional()?;
+    let not_constructible = |error: NotConstructible| Fault::new(a.span(), error.to_string());
+    if call.name == "exp" {
+        let value = scope.evaluate(a)?;
+        let complex = value.complex().ok_or_else(|| {
+            Fault::new(a.span(), format!("`exp` needs an imaginary number, but this is {}", value.kind()))
+        })?;
+        if !complex.re.is_zero() {
+            let fault = Fault::new(a.span(), "the exponential of a number with a real part is not algebraic");
+            return Err(fault.help("write `exp(I*pi/8)`, an imaginary multiple of pi"));
+        }
+        let unit = exp_i_pi(&multiple_of_pi(a, &complex.im)?).map_err(not_constructible)?;
+        return Ok(Value::Complex(ComplexFraction { re: unit.re.into(), im: unit.im.into() }));
+    }
+    let multiple = multiple_of_pi(a, &scope.scalar(a, "an angle")?)?;
+    let value = if call.name == "cos" { cos_pi(&multiple) } else { sin_pi(&multiple) };
+    Ok(Value::Scalar(value.map_err(not_constructible)?.into()))
+}
+
+/// The polynomial that an argument must be.
+pub(super) fn polynomial(scope: &Scope, expr: &Expr) -> Result<Poly, Fault> {
+    let value = scope.scalar(expr, "this")?;
+    value.to_poly().ok_or_else(|| {
+        let fault = Fault::new(
+            expr.span(),
+            format!(
+                "this must be a polynomial, but it has the denominator {}",
+                value.reduced().denominator()
+            ),
+        );
+        fault.help("the homogeneous coordinates W, X, Y, Z are polynomials")
+    })
+}
+
+fn homogeneous(scope: &Scope, call: &Call<'_>, expr: &Expr) -> Result<Homogeneous, Fault> {
+    let value = scope.evaluate(expr)?;
+    match value.bare() {
+        Value::Surface(surface) => return Ok(surface.homogeneous().clone()),
+        Value::Offset(offset) => {
+            return offset
+                .as_ref()
+                .as_ref()
+                .map(|surface| surface.homogeneous().clone())
+                .map_err(|error| Fault::offset(expr.span(), error));
+        }
+        _ => {}
+    }
+    Ok(Homogeneous::of(&call.vector(expr)?, &surface_parameters(scope)))
+}
+
+/// The two parameters of the item, with a stand-in for one that is not there.
+pub(super) fn surface_parameters(scope: &Scope) -> [Variable; 2] {
+    if let Some(surface) = &scope.surface {
+        return surface.parameters().clone();
+    }
+    let at = |index: usize| scope.parameters.get(index).cloned();
+    let missing = |index: u32| Variable::new(index, "");
+    [at(0).unwrap_or_else(|| missing(0)), at(1).unwrap_or_else(|| missing(1))]
+}
+
+fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let (exprs, [by]) = call.with_names(["parameter"])?;
+    if exprs.is_empty() {
+        return Err(Fault::new(call.span, "`degree` needs the polynomials whose degree is meant"));
+    }
+    let mut polys = Vec::new();
+    for expr in exprs {
+        match scope.evaluate(expr)?.scalar() {
+            Some(_) => polys.push(polynomial(scope, expr)?),
+            None => polys.extend(homogeneous(scope, call, expr)?.coordinates().iter().cloned()),
+        }
+    }
+    let mut variables: Vec<Variable> = polys.iter().flat_map(Poly::occurring_variables).collect();
+    variables.sort();
+    variables.dedup();
+    if let Some(function) = variables.iter().find(|variable| scope.calculus.is_function(variable)) {
+        let message = format!("the unknown function `{function}` has no degree");
+        return Err(
+            Fault::new(call.span, message).help("write a polynomial with symbols for its coefficients")
+        );
+    }
+    let value = |degrees| Ok(Value::Degree(Rc::new(DegreeValue { degrees, variables })));
+    if let Some(by) = by {
+        let by = parameter(scope, by)?;
+        let degree = polys.iter().map(|poly| poly.degree(&by).map_or(-1, i64::from)).max().unwrap_or(-1);
+        return value(vec![degree]);
+    }
+    if scope.parameters.len() != 2 {
+        let known: Vec<&str> = scope.parameters.iter().map(Variable::name).collect();
+        let fault = Fault::new(call.span, "a bidegree needs two parameters");
+        return Err(fault.help(format!(
+            "here are {}; write `degree(f, parameter = v)` for one",
+            if known.is_empty() { "none".to_owned() } else { known.join(", ") }
+        )));
+    }
+    let Bidegree { u, v } = Bidegree::of_group(&polys, &surface_parameters(scope));
+    value(vec![u, v])
+}
