@@ -1,16 +1,15 @@
 //! What the sweep language means: values of its functions and members, verdicts, witnesses, and mistakes at their places.
 
-use std::time::{Duration, Instant};
-
+use hodograph_algebra::budget;
 use hodograph_codegen::language::ast::Verdict;
 use hodograph_codegen::language::{Diagnostics, Report, parse_text};
 use hodograph_codegen::meaning::{Judgement, MAX_EXPONENT, Model, models};
 
 /// The budget of one claim.
-const BUDGET: u64 = 2_000_000_000;
+const BUDGET: u64 = budget::DEFAULT_LIMIT;
 
-/// More than any of these texts may take, on a slow machine at that.
-const TOO_LONG: Duration = Duration::from_secs(10);
+/// More units of work than any of these texts may take: a few budgets, as each clause has its own.
+const TOO_MUCH: u64 = 3 * BUDGET;
 
 fn read(text: &str) -> Result<Vec<Model>, Vec<String>> {
     let (file, source) = parse_text("t", text).map_err(|report| report.lines())?;
@@ -20,9 +19,8 @@ fn read(text: &str) -> Result<Vec<Model>, Vec<String>> {
 
 /// The judgement of every claim, or the mistakes of the text and its claims, as `file:line:column: message`.
 fn judge(text: &str) -> Result<Vec<Judgement>, Vec<String>> {
-    let start = Instant::now();
-    let result = judge_at_leisure(text);
-    assert!(start.elapsed() < TOO_LONG, "{text} takes {:?}", start.elapsed());
+    let (result, units) = budget::measured(|| judge_at_leisure(text));
+    assert!(units < TOO_MUCH, "{text} takes {units} units");
     result
 }
 
