@@ -7,7 +7,7 @@
 use std::fmt;
 
 use hodograph_algebra::budget::{self, Exhausted};
-use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable, integer};
+use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -84,30 +84,19 @@ pub fn exact_program(
         .domain
         .each_ref()
         .map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
-    let factor = orientation(derivation);
     let length = length.filter(|length| positive(length, derivation));
     let derived = Derived {
         parameters,
         homogeneous: derivation.homogeneous.coordinates(),
         normal: derivation.normal.numerator(),
         normal_root: length.as_ref(),
-        singular: (!positive(&factor, derivation)).then_some(&factor),
+        singular: derivation.orientation.as_ref(),
         known: &known,
         domain: &domain,
     };
     let program = schedule::schedule(&derived).map_err(CompileError::Schedule)?;
     schedule::check(&program, &derived).map_err(CompileError::Mismatch)?;
     Ok(program)
-}
-
-/// A polynomial with the sign of the factor in `R_u × R_v = factor · N`: its numerator times the factors that its
-/// denominator has to an odd power.
-fn orientation(derivation: &Derivation) -> Poly {
-    let factor = derivation.normal.factor().lowest_terms();
-    let odd = factor.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
-    let signed = odd.fold(factor.numerator().clone(), |product, (part, _)| product * part);
-    let negative = signed.content() < &integer(0);
-    if negative { -signed.primitive() } else { signed.primitive() }
 }
 
 /// Whether a polynomial is certified to be positive on the domain.
@@ -122,6 +111,12 @@ fn positive(poly: &Poly, derivation: &Derivation) -> bool {
 /// # Errors
 /// [`CompileError`].
 pub fn compile(model: &Model) -> Result<Artifact, CompileError> {
+    let work = || budget::doing("the evaluator", || compile_unlimited(model));
+    budget::with_budget(budget::DEFAULT_LIMIT, work)
+        .unwrap_or_else(|exhausted| Err(CompileError::Exhausted(exhausted)))
+}
+
+fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
     let derivation = derive(model)?;
     let exact = exact_program(model, &derivation)?;
     let program = round::round(&exact).map_err(CompileError::Round)?;

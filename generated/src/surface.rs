@@ -6,8 +6,8 @@ use crate::regularity::Regularity;
 
 /// The rectangle of parameters over which a surface is stated.
 ///
-/// Evaluators accept every `f64`; what is proved of a surface (its regularity, its weights, the error of its
-/// evaluation) is proved on its domain. The rectangle is closed.
+/// Evaluators accept every `f64`; what is certified of a surface, such as its regularity and the sides of its normal, is
+/// certified on its domain. The rectangle is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
     /// First and last value of u.
@@ -74,7 +74,7 @@ pub trait Surface {
 
     /// The unit normal of the surface at (u, v): the unit vector of R_u × R_v.
     ///
-    /// It is [`Regularity::Singular`] where R_u × R_v vanishes, and never NaN. On the domain it turns over where the common
+    /// It is [`Regularity::Singular`] where R_u × R_v, as it is computed, vanishes, and never NaN. On the domain it turns over where the common
     /// factor of the components of R_u × R_v changes its sign; outside of the domain it may continue smoothly instead.
     fn unit_normal(&self, u: f64, v: f64) -> Regularity;
 

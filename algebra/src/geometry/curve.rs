@@ -6,7 +6,9 @@ use std::rc::Rc;
 use super::calculus::Calculus;
 use super::sample::sample_sign;
 use super::vector::Vector;
-use crate::{Fraction, Interval, Poly, Variable, ratio};
+use num_traits::Signed;
+
+use crate::{BoxSign, Fraction, Interval, Poly, Rational, Term, Variable, ratio};
 
 /// A rational curve with its derivative properties, where these are rational.
 ///
@@ -22,6 +24,8 @@ pub struct Curve {
     position: Vector,
     hodograph: Vector,
     speed: Result<Fraction, CurveError>,
+    /// What must be positive for the speed to be that, where symbols decide it.
+    speed_condition: Option<Poly>,
     arclength: Option<Fraction>,
     preimage: Option<[Poly; 2]>,
     domain: Option<Interval>,
@@ -40,6 +44,11 @@ pub enum CurveError {
         squared: Box<Fraction>,
         /// The factor of it that is no square; 1 if only the sign is wrong.
         odd: Box<Poly>,
+    },
+    /// The rational root of `|s'|²` changes its sign on the domain, so its absolute value is not rational.
+    SpeedChangesSign {
+        /// The factor of the root that changes its sign.
+        factor: Box<Poly>,
     },
     /// The curve lies in none of the coordinate planes, so it has no planar normal.
     NotPlanar,
@@ -61,6 +70,12 @@ impl fmt::Display for CurveError {
             CurveError::IrrationalSpeed { squared, odd } => {
                 write!(f, "the parametric speed is not rational: |s'|^2 = {squared}")?;
                 if odd.is_one() { Ok(()) } else { write!(f, ", in which {odd} is not a square") }
+            }
+            CurveError::SpeedChangesSign { factor } => {
+                write!(
+                    f,
+                    "the parametric speed is not rational on this domain: its factor {factor} changes its sign there"
+                )
             }
             CurveError::NotPlanar => f.write_str("the curve lies in none of the coordinate planes"),
             CurveError::ArcLength { speed } => {
@@ -104,16 +119,28 @@ impl Curve {
             Some(speed) => Ok(speed),
             None => rational_root(&squared),
         };
-        let speed = speed.map(|speed| {
+        let mut speed = speed.map(|speed| {
             let interval = domain.clone().unwrap_or_else(Interval::unit);
             let negative = sample_sign(&speed, parameter, &interval).is_lt();
             if negative { -&speed } else { speed }
         });
+        let sign = speed
+            .as_ref()
+            .map(|speed| speed_sign(speed, known.preimage.as_ref(), parameter, domain.as_ref()));
+        let mut speed_condition = None;
+        match sign {
+            Ok(SpeedSign::Changes(factor)) => {
+                speed = Err(CurveError::SpeedChangesSign { factor: Box::new(factor) });
+            }
+            Ok(SpeedSign::Depends(condition)) => speed_condition = Some(condition),
+            Ok(SpeedSign::Nonnegative) | Err(_) => {}
+        }
         Curve {
             parameter: parameter.clone(),
             position,
             hodograph,
             speed,
+            speed_condition,
             arclength: known.arclength,
             preimage: known.preimage,
             domain,
@@ -145,12 +172,20 @@ impl Curve {
         &self.hodograph
     }
 
-    /// The parametric speed `σ = |s'|` (FN (2)), positive at the beginning of the domain.
+    /// The parametric speed `σ = |s'|` (FN (2)): not negative on the domain, or for all values of the parameter where there
+    /// is none; see [`Curve::speed_condition`] where symbols occur in it.
     ///
     /// # Errors
-    /// [`CurveError::Point`], [`CurveError::IrrationalSpeed`].
+    /// [`CurveError::Point`], [`CurveError::IrrationalSpeed`], [`CurveError::SpeedChangesSign`].
     pub fn speed(&self) -> Result<Fraction, CurveError> {
         self.speed.clone()
+    }
+
+    /// The polynomial in symbols or unknown functions that must be positive for [`Curve::speed`] to be `+|s'|`; `None` where
+    /// that is certain.
+    #[must_use]
+    pub fn speed_condition(&self) -> Option<&Poly> {
+        self.speed_condition.as_ref()
     }
 
     /// The unit tangent `t = s'/σ` (FN (3)), with σ as its denominator.
@@ -245,6 +280,55 @@ impl Curve {
     pub fn offset(&self, distance: &Fraction) -> Result<Vector, CurveError> {
         Ok(&self.position + &self.normal()?.scale(distance))
     }
+}
+
+/// What is known of the sign of a rational root of `|s'|²`.
+enum SpeedSign {
+    Nonnegative,
+    /// It is that of this polynomial in symbols or unknown functions.
+    Depends(Poly),
+    /// This factor changes its sign on the domain.
+    Changes(Poly),
+}
+
+/// The sign of a rational root of `|s'|²`; for `h·|w|²` it is that of `h`.
+fn speed_sign(
+    speed: &Fraction,
+    preimage: Option<&[Poly; 2]>,
+    parameter: &Variable,
+    domain: Option<&Interval>,
+) -> SpeedSign {
+    let odd = speed.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let signed = odd.fold(speed.numerator().clone(), |product, (factor, _)| product * factor);
+    let of_factor = preimage.and_then(|[a, b]| signed.exact_div(&(a * a + b * b)));
+    let signed = of_factor.unwrap_or(signed);
+    if is_sum_of_even_powers(&signed) {
+        return SpeedSign::Nonnegative;
+    }
+    if signed.occurring_variables().iter().any(|variable| variable != parameter) {
+        return SpeedSign::Depends(signed.primitive());
+    }
+    let nonnegative = match domain {
+        Some(domain) => {
+            let sign = signed.sign_on(&[(parameter.clone(), domain.clone())]);
+            matches!(sign, Some(BoxSign::Positive | BoxSign::NonNegative { .. }))
+        }
+        // Without a domain the sign must hold everywhere: no root of odd multiplicity.
+        None => signed
+            .real_roots(parameter)
+            .is_some_and(|roots| roots.iter().all(|root| root.multiplicity() % 2 == 0)),
+    };
+    if nonnegative { SpeedSign::Nonnegative } else { SpeedSign::Changes(signed.primitive()) }
+}
+
+/// Whether all exponents are even and all coefficients positive, so that the polynomial is nowhere negative.
+fn is_sum_of_even_powers(poly: &Poly) -> bool {
+    let rational = poly.ring().field().generators().is_empty() || poly.generator_coefficients().len() == 1;
+    let even = |term: &Term| {
+        poly.ring().exponents(term.monomial).iter().all(|exponent| exponent % 2 == 0)
+            && (&Rational::from(term.coefficient.clone()) * poly.content()).is_positive()
+    };
+    rational && poly.terms().iter().all(even)
 }
 
 /// The square root of a rational function, if it is rational over the real numbers; a radical may be adjoined.

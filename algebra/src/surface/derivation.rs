@@ -8,7 +8,7 @@ use super::normal::Normal;
 use super::singular::SingularLocus;
 use super::swept::{OffsetError, ParametricSpeed, SweptSurface};
 use crate::number::field;
-use crate::{Interval, NumberField, Poly, Variable, budget, minimize_field};
+use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, minimize_field};
 
 /// What follows from the formula of a surface: coordinates, degrees, normal, speeds, singular locus, offset, control net.
 ///
@@ -38,6 +38,11 @@ pub struct Derivation {
     pub offset: Offset,
     /// The symbol for the distance of the offset.
     pub distance: Variable,
+    /// The polynomial that is positive where the unit normal `N/|N|` points the way of `R_u × R_v`; `None` where that is
+    /// certified for the whole domain. Beyond its zeros the offset at the distance `r` is the one at `−r`.
+    pub orientation: Option<Poly>,
+    /// Where the weight W vanishes on the domain, so that the surface has poles; `None` where symbols decide.
+    pub poles: Option<ZeroSet>,
     /// The control points over the domain.
     pub control_net: ControlNet,
 }
@@ -99,7 +104,9 @@ impl SweptSurface {
         let normal = normal.map(&mut replace);
         let offset = match offset {
             Ok(offset) => Offset::Rational(Box::new(offset.map(&mut replace))),
-            Err(OffsetError::SymbolicRadical { radicand }) => Offset::SymbolicRadical { radicand },
+            Err(OffsetError::SymbolicRadical { .. }) => {
+                Offset::SymbolicRadical { radicand: normal.radicand().clone() }
+            }
             Err(_) => Offset::Irrational { odd: normal.split().odd.clone() },
         };
 
@@ -113,6 +120,12 @@ impl SweptSurface {
         let singular =
             budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
+        let region: Vec<(Variable, Interval)> =
+            parameters.iter().cloned().zip(domain.iter().cloned()).collect();
+        let positive = |poly: &Poly| matches!(poly.sign_on(&region), Some(BoxSign::Positive));
+        let orientation = normal.orientation();
+        let orientation = (!positive(&orientation)).then_some(orientation);
+        let poles = budget::doing("the poles", || homogeneous.coordinates()[0].zeros_on(&region));
         let control_net = ControlNet::of(&homogeneous, &domain).map(|number| into_field(number, &mut field));
         Ok(Derivation {
             field,
@@ -126,6 +139,8 @@ impl SweptSurface {
             singular_zeros,
             offset,
             distance,
+            orientation,
+            poles,
             control_net,
         })
     }

@@ -2,6 +2,8 @@
 
 use num_traits::One;
 
+use num_traits::Signed;
+
 use super::direction::Direction;
 use super::homogeneous::Homogeneous;
 use crate::geometry::sample::sample_sign_on_box;
@@ -62,6 +64,16 @@ impl Normal {
     #[must_use]
     pub fn factor(&self) -> &Fraction {
         &self.factor
+    }
+
+    /// A polynomial with the sign of the factor: its numerator times the parts that its denominator has to an odd power. Where
+    /// it is positive, the numerator points the way of `R_u × R_v`.
+    #[must_use]
+    pub fn orientation(&self) -> Poly {
+        let factor = self.factor.lowest_terms();
+        let odd = factor.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+        let signed = odd.fold(factor.numerator().clone(), |product, (part, _)| product * part);
+        if signed.content().is_negative() { -signed.primitive() } else { signed.primitive() }
     }
 
     /// The squared length of the numerator.

@@ -9,7 +9,7 @@ use proc_macro::TokenStream;
 /// `hodograph::Surface`; lemmas generate nothing. Claims are checked as far as a small budget goes: a false claim does
 /// not compile.
 ///
-/// ```ignore
+/// ```text
 /// hodograph::sweep! {
 ///     sweep paraboloid {
 ///         surface R = u*i + v*j + (u^2 + v^2)*k;

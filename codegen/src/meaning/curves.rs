@@ -163,7 +163,7 @@ fn ph_hermite(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<
     let preimage = match selector {
         None => data
             .least_rotation()
-            .map_err(|error| fault(error).help("add `solution = 0` (or 1, 2, 3) to choose"))?,
+            .map_err(|error| fault(error).help("add `solution = …` with one of these numbers to choose"))?,
         Some(selector) => {
             let index = scope.rational(selector, "the number of a solution")?;
             let index =

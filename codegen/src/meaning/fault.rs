@@ -12,6 +12,8 @@ pub(super) struct Fault {
     pub diagnostic: Box<Diagnostic>,
     /// Whether the value exists but is not a rational function: what `is_rational` asks for.
     pub irrational: bool,
+    /// Whether the value exists, but over a root of symbols that has no form here.
+    pub undecidable: bool,
     /// Whether the cause has been reported already.
     pub reported: bool,
     /// Further mistakes in the same expression.
@@ -62,12 +64,18 @@ impl Fault {
 
     /// A property that a curve does not have.
     pub(super) fn curve(span: Span, error: &CurveError) -> Fault {
-        let irrational = matches!(error, CurveError::IrrationalSpeed { .. } | CurveError::ArcLength { .. });
+        let irrational = matches!(
+            error,
+            CurveError::IrrationalSpeed { .. }
+                | CurveError::SpeedChangesSign { .. }
+                | CurveError::ArcLength { .. }
+        );
         let help = match error {
             CurveError::IrrationalSpeed { .. } => {
                 "only curves with a rational parametric speed, such as Pythagorean-hodograph curves (`ph`, \
                  `ph_hermite`), have a rational tangent and normal"
             }
+            CurveError::SpeedChangesSign { .. } => "state a `domain` on which the curve has no such cusp",
             CurveError::Point => "give a curve whose points differ",
             CurveError::NotPlanar => "a planar normal needs a curve with one coordinate that is zero",
             CurveError::ArcLength { .. } => "a polynomial parametric speed, as that of `ph` curves, has one",
@@ -81,8 +89,10 @@ impl Fault {
 
     /// An offset that a surface does not have.
     pub(super) fn offset(span: Span, error: &OffsetError) -> Fault {
-        let irrational = matches!(error, OffsetError::Irrational { .. });
-        Fault::new(span, error.to_string()).irrational(irrational)
+        let mut fault = Fault::new(span, error.to_string());
+        fault.irrational = matches!(error, OffsetError::Irrational { .. });
+        fault.undecidable = matches!(error, OffsetError::SymbolicRadical { .. });
+        fault
     }
 
     /// Work beyond the budget.
@@ -99,6 +109,12 @@ impl Fault {
 
 impl From<Diagnostic> for Fault {
     fn from(diagnostic: Diagnostic) -> Fault {
-        Fault { diagnostic: Box::new(diagnostic), irrational: false, reported: false, others: Vec::new() }
+        Fault {
+            diagnostic: Box::new(diagnostic),
+            irrational: false,
+            undecidable: false,
+            reported: false,
+            others: Vec::new(),
+        }
     }
 }

@@ -89,7 +89,13 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
                     Ok(())
                 })
             }
-            _ => define(&mut scope, clause, prefixes),
+            _ => {
+                let result = define(&mut scope, clause, prefixes);
+                if scope.surface.is_some() {
+                    surface.clone_from(&scope.surface);
+                }
+                result
+            }
         };
         if let Err(fault) = result {
             fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one));
@@ -118,12 +124,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         span: item.name.span,
         docs: item.docs.iter().map(|line| line.value.trim().to_owned()).collect(),
         source,
-        formula: item
-            .clauses
-            .iter()
-            .filter(|clause| defines_surface(clause))
-            .map(ToString::to_string)
-            .collect(),
+        formula: formula(item, surface.as_deref()),
         surface,
         claims,
         path: item.clauses.iter().find_map(|clause| match &clause.kind {
@@ -134,8 +135,17 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
     })
 }
 
-fn defines_surface(clause: &Clause) -> bool {
-    !matches!(clause.kind, ClauseKind::Source(_) | ClauseKind::Claim(_))
+/// The clauses that define the surface, one a line; symbols that only claims use are left out.
+fn formula(item: &Item, surface: Option<&SweptSurface>) -> Vec<String> {
+    let used = surface.map(SweptSurface::symbols).unwrap_or_default();
+    let defines = |clause: &&Clause| match &clause.kind {
+        ClauseKind::Source(_) | ClauseKind::Claim(_) => false,
+        ClauseKind::Symbol(names) if surface.is_some() => {
+            names.iter().any(|name| used.iter().any(|symbol| symbol.name() == name.value))
+        }
+        _ => true,
+    };
+    item.clauses.iter().filter(defines).map(ToString::to_string).collect()
 }
 
 /// The parameters of an item: those of its surface, or of its curves and functions.
@@ -302,11 +312,7 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
             scope.define(&curve.name, value?)?;
             scope.settle(curve.name.span)?;
         }
-        ClauseKind::Substitute(definition) => {
-            let span = definition.name.span;
-            return Err(Fault::new(span, "`substitute` is not supported in this version")
-                .help("substitute in the formula itself, with `let`"));
-        }
+        ClauseKind::Substitute(definition) => substitute_parameter(scope, definition)?,
         ClauseKind::Source(_) | ClauseKind::Surface(_) | ClauseKind::Domain(_) | ClauseKind::Claim(_) => {}
     }
     Ok(())
@@ -390,6 +396,29 @@ fn let_value(scope: &mut Scope, definition: &Definition) -> Result<(), Fault> {
         Value::Function(Rc::new(FunctionValue { parameters, value }))
     };
     scope.define(&definition.name, value)?;
+    Ok(())
+}
+
+/// `substitute v = expr;`: the surface in another parameter, over the interval that is stated for the new one.
+fn substitute_parameter(scope: &mut Scope, definition: &Definition) -> Result<(), Fault> {
+    let name = &definition.name;
+    let Some(surface) = scope.surface.clone() else {
+        return Err(Fault::new(name.span, "there is no surface yet").help("put `substitute` after `surface`"));
+    };
+    if let Some(parameter) = definition.parameters.first() {
+        return Err(Fault::new(parameter.span, "a substitution has no parameters of its own"));
+    }
+    let replaced = parameter(scope, name)?;
+    let substituted = guarded(definition.value.span(), || {
+        let value = scope.scalar(&definition.value, "what is substituted")?;
+        let values = [(replaced, value)].into();
+        let position = Value::Vector(surface.position().clone());
+        let position = super::calls::substitute(scope, definition.value.span(), &position, &values)?;
+        Ok(position.vector().unwrap_or_else(Vector::zero).reduced())
+    })?;
+    let domain = surface.domain().clone();
+    let surface = Rc::new(SweptSurface::new(substituted, surface.parameters().clone(), domain));
+    scope.replace_surface(&surface);
     Ok(())
 }
 

@@ -2,6 +2,7 @@
 
 use hodograph_algebra::{Variable, budget};
 
+use super::expression::shortened;
 use super::fault::Fault;
 use super::item::{Model, check_names};
 use super::relation::{self, Finding};
@@ -26,7 +27,7 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// For what the verdict holds.
     pub scope: String,
-    /// The conditions of the claim.
+    /// Under which conditions: those of the claim, and the signs that parametric speeds are taken to have.
     pub condition: Option<String>,
     /// The verdict that the source expects.
     pub expected: Verdict,
@@ -49,10 +50,13 @@ impl Model {
         });
         let finding = match outcome {
             Ok(Ok(finding)) => finding,
+            // Something that exists but has no rational form here is no mistake of the claim.
+            Ok(Err(fault)) if fault.undecidable => Finding::undecided(fault.diagnostic.message),
             Ok(Err(fault)) => return Err(fault.diagnostic),
             Err(exhausted) => Finding::undecided(exhausted.to_string()),
         };
-        let conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
+        let mut conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
+        conditions.extend(self.speed_conditions(&claim.relation));
         Ok(Judgement {
             id: claim.id.value.clone(),
             sweep: self.name.clone(),
@@ -91,6 +95,19 @@ impl Model {
         Ok(scope)
     }
 
+    /// What must be positive for the curves that a relation is about to have the parametric speed that was used.
+    fn speed_conditions(&self, relation: &Expr) -> Vec<String> {
+        let curves = self.curves();
+        let mut names = Vec::new();
+        identifiers(relation, &mut names);
+        // Any other name that was defined may be about all of them.
+        let direct = |name: &str| curves.iter().any(|(curve, _)| *curve == name) || self.scope.is_plain(name);
+        let all = !names.iter().all(|name| direct(name));
+        let concerned = curves.iter().filter(|(name, _)| all || names.contains(name));
+        let conditions = concerned.filter_map(|(_, curve)| curve.speed_condition());
+        conditions.map(|condition| format!("{} > 0", shortened(&condition.to_string()))).collect()
+    }
+
     /// For what a finding holds, in words.
     fn scope_of(&self, finding: &Finding) -> String {
         let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
@@ -125,6 +142,14 @@ impl Model {
             (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }
+}
+
+/// The names in an expression.
+fn identifiers<'a>(expr: &'a Expr, names: &mut Vec<&'a str>) {
+    if let ExprKind::Ident(name) = expr.kind() {
+        names.push(name);
+    }
+    expr.children().for_each(|child| identifiers(child, names));
 }
 
 fn check_names_at_once(scope: &Scope, expr: &Expr) -> Result<(), Fault> {

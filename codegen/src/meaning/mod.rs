@@ -1,4 +1,420 @@
 //! The meaning of the sweep language: from the syntax tree to curves, surfaces and verdicts.
+//!
+//! The grammar is that of [`language`](crate::language). This is the reference of what clauses, names, operators, functions,
+//! members and relations stand for. FN is Farouki and Nittler, *Rational swept surface constructions based on
+//! differential and integral sweep curve properties*, 2014; numbers in brackets are its equations.
+//!
+//! ```
+//! use hodograph_algebra::budget::DEFAULT_LIMIT;
+//! use hodograph_codegen::language::{ast::Verdict, parse_text};
+//! use hodograph_codegen::meaning::{Judgement, models};
+//!
+//! /// What becomes of the claims of a text.
+//! fn judge(text: &str) -> Vec<Judgement> {
+//!     let (file, _source) = parse_text("example.sweep", text).unwrap();
+//!     let (models, mistakes) = models(&file);
+//!     assert!(mistakes.is_empty());
+//!     let check = |model: &hodograph_codegen::meaning::Model| -> Vec<Judgement> {
+//!         model.claims.iter().map(|claim| model.check(claim, DEFAULT_LIMIT).unwrap()).collect()
+//!     };
+//!     models.iter().flat_map(check).collect()
+//! }
+//!
+//! // The oriented-translation sweep (17) of a line along a PH cubic.
+//! let judgements = judge(r#"sweep cylinder {
+//!     profile p(u) = u*k;
+//!     path s(v) = ph([1, 1 + I]);
+//!     surface R = s + p.x*s.normal + p.z*k;
+//!     domain u in 0..1, v in 0..1;
+//!     claim "degree": degree(R) == (1, 3);
+//!     claim "normal": parallel(normal(R), s.normal);
+//! }"#);
+//! assert!(judgements.iter().all(|judgement| judgement.verdict == Verdict::Proved));
+//! assert_eq!(judgements[0].derived, "(1, 3)");
+//! ```
+//!
+//! # Exactness
+//!
+//! A value is a rational function (or two, or three) of parameters, symbols and unknown functions over a tower of real
+//! square roots; nothing is ever rounded. Two values are equal if they are the same function, which also says that a claim
+//! speaks of all points at which both sides are defined.
+//!
+//! # Clauses
+//!
+//! A name is defined before it is used. Domains alone are read first, wherever they stand, and claims last: they may use all
+//! names. The *parameters* of an item are those of its surface in their order, then, by name, all others that stand in
+//! parentheses behind a defined name or have a domain.
+//!
+//! | clause | what it means |
+//! | --- | --- |
+//! | `source "FN (17)";` | where the formula is taken from; at most one |
+//! | `symbol c, d;` | unknown real constants |
+//! | `function x(u), z(u);` | unknown smooth functions of one parameter |
+//! | `let a = …;` | a name for a value of any kind, angles such as `3*pi/8` included |
+//! | `let f(u, v) = …;` | the same; `f` alone is the value, `f(a, b)` the value with `a`, `b` for `u`, `v` |
+//! | `profile p(u) = …;` | the curve that is swept |
+//! | `path s(v) = …;` | the curve along which it is swept; its polynomials give their names to parts of the code |
+//! | `curve c(t) = …;` | any other curve |
+//! | `surface R = …;` | the surface `R(u, v)`; once in a sweep, never in a lemma |
+//! | `surface R(s, t) = …;` | the same with other parameters |
+//! | `domain u in 0..1, v in -1..sqrt(2);` | closed intervals; the ends are numbers, the first is the smaller one |
+//! | `substitute v = …;` | after `surface`: a rational function in place of a parameter of the surface |
+//! | `claim "id": relation;` | what is to be settled; see *Claims* |
+//!
+//! - `symbol`, `let`, `function` and the curves' clauses may stand in any number. A sweep needs a domain for both parameters
+//!   of its surface and has no other one. In a lemma domains are needed only by what asks for them: inequalities, roots of
+//!   functions, total arc lengths.
+//! - The three kinds of curves differ in their roles alone: each takes a vector (`x*i + z*k`, `(x, y)`, `(x, y, z)`) or one of
+//!   the *Constructors*, depends on its own parameter and on no other, and has all *Members of curves*.
+//! - An unknown function `x(u)` stands for `x` at the parameter as it is: `x`, `diff(x, u)`, …, up to the sixth derivative.
+//!   It has no value at a point, no degree, and no place in a surface; a lemma can state identities for all functions.
+//! - A surface is a vector with components in its two parameters and in symbols. From its clause on `W`, `X`, `Y`, `Z` are
+//!   its homogeneous coordinates (10): polynomials without common factor.
+//! - `substitute` changes the surface, with its coordinates and members, but not the curves from which it was made.
+//!
+//! # Names
+//!
+//! Names are ASCII. Each has one meaning in an item; these have theirs already:
+//!
+//! | names | what they are |
+//! | --- | --- |
+//! | `i`, `j`, `k` | the unit vectors in the x-, y- and z-direction |
+//! | `I` | the imaginary unit |
+//! | `pi` | π, which stands in angles only |
+//! | `W`, `X`, `Y`, `Z` | after `surface`: its homogeneous coordinates |
+//! | names of parameters | the parameter; it needs no clause |
+//! | names of functions | those below; `curvature` is reserved too, and is a member |
+//! | `sqrt2`, …, `theta`, `theta2`, … | how square roots are printed; write `sqrt(2)` |
+//! | `x_u`, `x_uu`, … | for an unknown function `x(u)`: how its derivatives are printed; write `diff(x, u)` |
+//! | `a0`, `b0`, `x0`, `y0`, `w0`, … | the symbols of a curve with symbolic coefficients; see *Constructors* |
+//! | `s_x`, `s_y`, `s_z`, `s_m`, `s_arclength` | for a curve `s` of `regular_curve` or `curve_from_hodograph` |
+//!
+//! # Values and operators
+//!
+//! | kind | written | counts as |
+//! | --- | --- | --- |
+//! | scalar | `0.25`, `2/3`, `1e-3`, `sqrt(2)`, `u^2*c` | complex number |
+//! | complex number | `1 + 2*I` | scalar, if its imaginary part is zero |
+//! | vector | `(x, y)`, `(x, y, z)`, `x*i + z*k` | of a pair, z is 0 |
+//! | homogeneous coordinates | `(w, x, y, z)` | |
+//! | list | `[a, b, c]` | the argument of a constructor only |
+//! | curve, surface | its name | its position vector |
+//! | degree | `degree(…)` | stands on the left side of a relation only |
+//!
+//! | operator | for |
+//! | --- | --- |
+//! | `a + b`, `a - b` | two scalars or complex numbers; two vectors; two tuples of one length |
+//! | `a*b` | two scalars or complex numbers; a scalar and a vector or tuple, in either order |
+//! | `a/b` | anything that `*` takes, by a scalar or complex number that is not identically zero |
+//! | `-a` | scalars, complex numbers, vectors, tuples |
+//! | `a^n` | a scalar or complex number, with an integer −1000 ≤ n ≤ 1000 ([`MAX_EXPONENT`]) |
+//! | `f(a, b)` | the value of a function, curve, member of a curve or surface at these values of its parameters |
+//!
+//! A call takes scalars: numbers, but also `s(1 - v)` or `R(u, c)`. It is an error where the denominator vanishes, unless
+//! the zero cancels, and where it would need an unknown function at another point.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"lemma values {
+//!     let f(u, v) = u^2*v + u;
+//!     let angle = 3*pi/4;
+//!     claim "power": -2^2 == -4;
+//!     claim "complex": (1 + 2*I)/(3 - I) == (1 + 7*I)/10;
+//!     claim "vectors": 2*(1, 2) - i == (1, 4, 0);
+//!     claim "call": f(2, v) == 4*v + 2;
+//!     claim "angle": cos(angle) == -sqrt(2)/2;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[3].1, "both sides are 4*v + 2");
+//! assert_eq!(judgements[4].1, "both sides are -1/2*sqrt2");
+//! ```
+//!
+//! # Functions
+//!
+//! Where a function takes a vector, it takes pairs, curves and surfaces as well.
+//!
+//! ## Derivatives and products
+//!
+//! - `diff(f, u)`: the partial derivative `∂f/∂u` of a scalar, complex number or vector. `diff(f, u, n)` is the n-th one,
+//!   `0 ≤ n ≤ 100`. The derivative of a curve by its parameter can be called: `diff(s, v)(1)`.
+//! - `dot(a, b)`, `cross(a, b)`: the products of two vectors.
+//! - `norm2(a)`: `a·a` of a vector; `|a|²` of a complex number.
+//! - `conj(z)`, `re(z)`, `im(z)`: conjugate, real part, imaginary part of a complex number.
+//!
+//! ## Roots and angles
+//!
+//! - `sqrt(a)`: the square root that is not negative. Of a number it is exact: it stays in a tower of square roots of at most
+//!   16 storeys. Of a function it exists if the function is a square of a rational function that keeps one sign on the
+//!   domain. Errors: a negative number; no square; a sign that changes, or that depends on symbols.
+//! - `abs(a)`: the absolute value of a number.
+//! - `cos(q*pi)`, `sin(q*pi)`, `exp(I*q*pi)`: for rational `q` whose denominator is a power of two, up to 2¹⁰
+//!   ([`MAX_ANGLE_HALVINGS`](hodograph_algebra::MAX_ANGLE_HALVINGS)), times a product of different ones of 3, 5 and 17: what
+//!   square roots can construct. Errors: other angles.
+//!
+//! ## Polynomials
+//!
+//! - `gcd(f, g, …)`: the greatest common divisor of polynomials in all variables, without numeric factor.
+//! - `degree(f, g, …)`: the degrees in the two parameters, the largest of all arguments for each; a vector or a surface stands
+//!   for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, an item
+//!   with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
+//! - `degree(f, g, …, parameter = v)`: the degree in one parameter.
+//!
+//! ## Surfaces
+//!
+//! - `homogeneous(R)`: the coordinates `(W, X, Y, Z)` of (10) without common factor, of a surface, an offset or any vector.
+//! - `normal(R)`: the direction of (11) in lowest terms: three coprime polynomials, the numerator of `R_u × R_v`. It points the
+//!   way of `R_u × R_v` at the beginning of the domain, and has no length of its own. Error: `R_u × R_v` is zero everywhere.
+//! - `offset(R, d)`: the offset surface `R + d·N` of (12) with the unit normal `N`, for a scalar `d`. Errors, except in
+//!   `is_rational`: it is not rational in the given parameters, or only over a root of the symbols.
+//! - `offset(s, d)`: the offset curve of (8), as `s.offset(d)`.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"sweep cone {
+//!     symbol r;
+//!     path s(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2));
+//!     surface R = 3*(1 - u)*s + 4*u*k;
+//!     domain u in 0..1/2, v in 0..1;
+//!     claim "weight": W == 1 + v^2;
+//!     claim "degree": degree(R) == (1, 2);
+//!     claim "of W": degree(W, parameter = v) == 2;
+//!     claim "normal": parallel(normal(R), 4*s + 3*k);
+//!     claim "offset": offset(R, r) == R - r*(4*s + 3*k)/5;
+//!     claim "derivative": diff(R, u) == 4*k - 3*s;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[0].1, "both sides are v^2 + 1");
+//! ```
+//!
+//! # Constructors
+//!
+//! These make curves, and stand in the clause of a curve.
+//!
+//! - `ph([w0, …, wk])`: the planar Pythagorean-hodograph curve `s' = w²` with `s(0) = 0`, where the preimage
+//!   `w(v) = Σ w_j·C(k, j)·vʲ(1 − v)ᵏ⁻ʲ` has these complex Bernstein coefficients (9). Its degree is 2k + 1. Errors: no
+//!   coefficient that differs from zero.
+//! - `ph(n)`: the same with an odd degree n ≤ 201 ([`MAX_PH_DEGREE`](hodograph_algebra::MAX_PH_DEGREE)) and symbols for
+//!   coefficients, `w_j = aj + I*bj`: every PH curve of this degree with a primitive hodograph (7).
+//! - `ph(…, start = (x, y))`: with `s(0) = (x, y)`. `ph(…, factor = h)`: with the hodograph `h·w²`, for a nonzero polynomial `h`.
+//! - `ph_hermite(a, da, b, db)`: the planar PH quintic with `s(0) = a`, `s'(0) = da`, `s(1) = b`, `s'(1) = db`, four pairs of
+//!   numbers: of the four solutions that of least absolute rotation index (see [`Hermite`](hodograph_algebra::Hermite)).
+//!   Errors: a tangent that is zero; a tie, which lists the candidates.
+//! - `ph_hermite(…, solution = n)`: the solution with the number n from 0 to 3.
+//! - `bezier([p0, …, pk])`: the Bézier curve with two control points at least, in the plane or in space.
+//! - `bezier([…], weights = [w0, …, wk])`: the rational one; a scalar weight for each point. Errors: weights that cancel.
+//! - `polynomial_curve(n)`: every planar curve of degree `1 ≤ n ≤ 32`: `x = x0 + x1*v + …`, `y = y0 + y1*v + …`.
+//! - `rational_curve(n)`: the same over the weight `w0 + w1*v + …`.
+//! - `regular_curve(sigma, kappa)`: every regular planar curve with this parametric speed and curvature, given by scalars of
+//!   the curve's parameter, unknown functions mostly: a curve in its moving frame (4).
+//! - `curve_from_hodograph(h)`: the curve with `s' = h` for a vector `h`, without the integration: coordinates, and the arc
+//!   length if `|h|` is rational, are symbols of which only the derivatives are known.
+//!
+//! The coefficients of `ph(n)`, `polynomial_curve` and `rational_curve` are symbols of the item. If it has several such
+//! curves, the curve's name precedes theirs: `s_a0`.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"lemma curves {
+//!     function sigma(v), kappa(v);
+//!     curve a(v) = ph([1, I], start = (5, 6), factor = 2);
+//!     curve b(v) = ph(3);
+//!     curve c(v) = ph_hermite((0, 0), (1, 0), (1, 0), (1, 0));
+//!     curve d(v) = bezier([(1, 0), (1, 1), (0, 1)], weights = [1, 1, 2]);
+//!     curve e(v) = polynomial_curve(1);
+//!     curve f(v) = regular_curve(sigma, kappa);
+//!     curve g(v) = curve_from_hodograph((1 - v^2, 2*v));
+//!     claim "ph": a.hodograph == 2*(1 - 2*v, 2*v*(1 - v));
+//!     claim "every PH cubic": b.speed(1) == b_a1^2 + b_b1^2;
+//!     claim "Hermite": c == v*i;
+//!     claim "circle": norm2(d) == 1;
+//!     claim "line": e == (e_x0 + e_x1*v, e_y0 + e_y1*v);
+//!     claim "(4)": diff(f.normal, v) == sigma*kappa*f.tangent;
+//!     claim "hodograph": diff(g.arclength, v) == 1 + v^2;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[0].1, "both sides are (-4*v + 2, -4*v^2 + 4*v, 0)");
+//! ```
+//!
+//! # Members of curves
+//!
+//! For a curve `s(v)`; all but `offset` can be called, as in `s.normal(1/2)`.
+//!
+//! | member | what it is | equation |
+//! | --- | --- | --- |
+//! | `x`, `y`, `z` | the coordinates | |
+//! | `hodograph` | the derivative `s'` | |
+//! | `speed` | the parametric speed `σ = ‖s'‖` | (2) |
+//! | `tangent` | the unit tangent `t = s'/σ` | (3) |
+//! | `normal` | the unit normal `n = t × e`, to the right of the tangent | (3) |
+//! | `curvature` | the signed curvature `κ = (s' × s'')·e/σ³` | (5) |
+//! | `arclength` | the arc length `∫σ` from the beginning of the domain, or from 0 without one | (6) |
+//! | `length` | the total arc length over the domain, `S` | (29) |
+//! | `offset(d)` | the offset curve `s + d·n` | (8) |
+//! | `involute` | `s − s(v)·t`, with the arc length `s(v)` | (24) |
+//! | `evolute` | `s − n/κ` | (28) |
+//!
+//! `e` is the unit vector orthogonal to the coordinate plane of the curve: `k` in the xy-plane, `j` in the xz-plane, `i` in the
+//! yz-plane. Errors:
+//!
+//! - `speed`, and all that contains it (everything below it in the table): the curve is a point; `‖s'‖²` is not the square of
+//!   a rational function; the root of it changes its sign on the domain. Where the sign depends on symbols, what is claimed
+//!   of the curve holds under a condition such as `c > 0`, which the judgement says.
+//! - `normal`, `curvature`, `offset`, `evolute`: the curve lies in none of the coordinate planes.
+//! - `arclength`, `length`, `involute`: the speed is not a polynomial in the parameter, so that no rational integral of it is
+//!   known. `length` needs a domain.
+//! - `evolute`: the curvature is zero everywhere.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! // w = 1 + I v, so s = (v − v³/3, v²).
+//! let judgements = judge(r#"lemma members {
+//!     path s(v) = ph([1, 1 + I]);
+//!     domain v in 0..1;
+//!     claim "position": s == (v - v^3/3, v^2);
+//!     claim "hodograph": s.hodograph == (1 - v^2, 2*v);
+//!     claim "(2)": s.speed == 1 + v^2;
+//!     claim "(3)": s.tangent(1) == j;
+//!     claim "(3)": s.normal(1) == i;
+//!     claim "(5)": s.curvature == 2/(1 + v^2)^2;
+//!     claim "(6)": s.arclength == v + v^3/3;
+//!     claim "(6)": s.length == 4/3;
+//!     claim "(8)": s.offset(3) == s + 3*s.normal;
+//!     claim "(24)": s.involute(1) == (2/3, -1/3);
+//!     claim "(28)": s.evolute(1) == (-4/3, 1);
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[7].1, "both sides are 4/3");
+//! ```
+//!
+//! # Members of surfaces and vectors
+//!
+//! | of | members |
+//! | --- | --- |
+//! | vectors | `x`, `y`, `z` |
+//! | homogeneous coordinates | `W`, `X`, `Y`, `Z` |
+//! | surfaces and their offsets | `x`, `y`, `z`; `W`, `X`, `Y`, `Z` without common factor (10) |
+//!
+//! # Claims
+//!
+//! `claim "id": relation, "note", expect refuted, when c == 1;` settles a relation. After it stand, in any order, remarks, the
+//! verdict that is expected (*proved* if none is given), and conditions; each `when` puts a scalar in place of a symbol. Ids
+//! need not be unique.
+//!
+//! | relation | holds if |
+//! | --- | --- |
+//! | `a == b` | both are the same function: scalars, complex numbers, vectors, tuples of one length |
+//! | `a < b`, `a <= b`, `a > b`, `a >= b` | it holds for the scalars at all points of the domain |
+//! | `degree(…) == (2, 9)` | the degrees are these; with `<=` and the others, if it holds for both |
+//! | `degree(…, parameter = v) == 4` | the degree is this |
+//! | `positive(a)` | `a > 0` on the domain |
+//! | `parallel(a, b)` | neither is zero and each is a multiple of the other by a scalar function: vectors, or tuples of one length |
+//! | `coprime(f, g, …)` | the polynomials, two at least, have no common factor |
+//! | `is_rational(a)` | the value exists as a rational function of the given parameters, over the real numbers |
+//! | `approx(a, 1.4142)` | the number differs from the decimal by half a unit of its last digit at most |
+//! | `not relation` | the relation is refuted |
+//!
+//! - *Proved* and *refuted* are exact. *Undecided* are inequalities whose sides contain symbols or unknown functions, or
+//!   a denominator that may vanish on the domain, or that touch zero where subdivision finds no end; and all that exceeds
+//!   the budget. `not` leaves them undecided.
+//! - An inequality needs a domain for each parameter that occurs; the ends of the intervals belong to it.
+//! - What is proved of symbols and unknown functions holds for all of their values, except that degrees and common factors are
+//!   those of general values: special values can lower a degree. What is refuted may hold for special values.
+//!   [`Judgement::scope`] says it.
+//! - Where an equality, `parallel` or an inequality is refuted, [`Judgement::witness`] is a point at which it fails, with
+//!   both sides.
+//! - `is_rational` is refuted for irrational speeds and roots, what is made of them, and offsets of surfaces; other parameters of
+//!   the same curve or surface may have rational ones.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::{Judgement, models}};
+//! # fn judge(text: &str) -> Vec<Judgement> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     models[0].claims.iter().map(|claim| models[0].check(claim, u64::MAX).unwrap()).collect()
+//! # }
+//! let judgements = judge(r#"lemma relations {
+//!     symbol c;
+//!     curve q(v) = (v, v^2);
+//!     domain u in 0..1, v in 0..1;
+//!     claim "1": u*v <= 1;
+//!     claim "2": u*v < 1;
+//!     claim "3": positive(c);
+//!     claim "4": parallel((u, v, 1), (u*v, v^2, v));
+//!     claim "5": coprime(u^2 - 1, v, u + 1);
+//!     claim "6": is_rational(q.speed), "a parabola", expect refuted;
+//!     claim "7": approx(sqrt(2), 1.4142);
+//!     claim "8": not u == v;
+//!     claim "9": degree(c*u*v) <= (1, 1);
+//!     claim "10": c^2 == c, when c == 1;
+//! }"#);
+//! let verdicts: Vec<String> = judgements.iter().map(|judgement| judgement.verdict.to_string()).collect();
+//! assert_eq!(
+//!     verdicts,
+//!     [
+//!         "proved", "refuted", "undecided", "proved", "proved", "refuted", "proved", "proved", "proved", "proved",
+//!     ],
+//! );
+//! assert_eq!(judgements[1].witness.as_deref(), Some("u = 1, v = 1"));
+//! assert_eq!(judgements[5].expected, judgements[5].verdict);
+//! assert_eq!(judgements[8].scope, "all c");
+//! assert_eq!(judgements[9].condition.as_deref(), Some("c == 1"));
+//! ```
+//!
+//! # Limits
+//!
+//! | what | limit |
+//! | --- | --- |
+//! | length of a text | 2²⁰ bytes ([`MAX_LENGTH`](crate::language::MAX_LENGTH)) |
+//! | nesting of an expression | 256 levels to be read ([`MAX_DEPTH`](crate::language::MAX_DEPTH)), 64 to be evaluated |
+//! | exponents | ±1000 ([`MAX_EXPONENT`]) |
+//! | decimals | 4096 places up or down ([`MAX_DECIMAL_EXPONENT`](hodograph_algebra::MAX_DECIMAL_EXPONENT)) |
+//! | independent square roots in a number | 16 |
+//! | order of `diff` | 100; 6 for an unknown function |
+//! | degree of `ph(n)`; of symbolic curves | 201; 32 |
+//! | work for one clause | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units |
+//! | work for one claim | what [`Model::check`] is given |
+//!
+//! # Mistakes
+//!
+//! [`models`] reports the mistakes of all clauses, and unknown names in claims; [`Model::check`] those in the claim itself. What
+//! depends on a definition with a mistake is not reported again.
+//!
+//! ```
+//! use hodograph_codegen::language::{Report, parse_text};
+//! use hodograph_codegen::meaning::models;
+//!
+//! let text = "lemma mistakes {\n  let a = 1 + i;\n  let b = 2*a;\n  let c = sqrt(-2);\n}";
+//! let (file, source) = parse_text("t", text).unwrap();
+//! let report = Report::new(source, models(&file).1);
+//! assert_eq!(
+//!     report.lines(),
+//!     ["t:2:15: a number and a vector cannot be added", "t:4:16: the radicand -2 is negative"],
+//! );
+//! ```
 
 mod calls;
 mod curves;

@@ -48,6 +48,9 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "sqrt",
 ];
 
+/// Functions for spatial curves, which are not available yet.
+const PLANNED: &[&str] = &["ph_spatial", "quat"];
+
 /// Names that always have a value, which cannot be redefined.
 const CONSTANTS: &[&str] = &["I", "i", "j", "k", "pi"];
 
@@ -212,6 +215,27 @@ impl Scope {
         self.symbols.iter().cloned().chain(functions).collect()
     }
 
+    /// Puts another surface in the place of the item's own.
+    pub(super) fn replace_surface(&mut self, surface: &Rc<SweptSurface>) {
+        for (value, _) in self.values.values_mut() {
+            if matches!(value, Value::Surface(_)) {
+                *value = Value::Surface(surface.clone());
+            }
+        }
+        self.surface = Some(surface.clone());
+    }
+
+    /// Whether a name stands for a parameter, a symbol, an unknown function or a word of the language.
+    pub(super) fn is_plain(&self, name: &str) -> bool {
+        match self.values.get(name) {
+            Some((value, _)) => value.scalar().is_some_and(|scalar| {
+                // What a symbol or a function is defined as is itself.
+                scalar.factors().is_empty() && scalar.numerator().to_string() == name
+            }),
+            None => !COORDINATES.contains(&name),
+        }
+    }
+
     /// Marks a name whose definition failed: what uses it is not reported again.
     pub(super) fn poison(&mut self, name: &Name) {
         self.poisoned.insert(name.value.clone());
@@ -282,6 +306,9 @@ impl Scope {
             .chain(CONSTANTS.iter().copied())
             .chain(coordinates.copied());
         let fault = Fault::new(span, format!("`{name}` is not defined"));
+        if PLANNED.contains(&name) {
+            return fault.help("the language has a place for it, but this version does not know it");
+        }
         match closest(name, known) {
             Some(similar) => fault.help(format!("did you mean `{similar}`?")),
             None if COORDINATES.contains(&name) => fault.help("W, X, Y and Z are known after `surface`"),

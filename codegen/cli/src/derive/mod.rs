@@ -72,7 +72,7 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
 
 /// Why the offset is rational, or not, in a sentence; `show` writes polynomials.
 fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> String {
-    match &derivation.offset {
+    let reason = match &derivation.offset {
         Offset::Irrational { odd } => {
             format!("|N|^2 contains the factor {} to an odd power, so it is no square", show(odd))
         }
@@ -81,5 +81,15 @@ fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> Str
         }
         _ if derivation.normal.split().unit.is_one() => "|N|^2 is the square of a polynomial".to_owned(),
         _ => "|N|^2 is the square of a polynomial, times a positive number".to_owned(),
+    };
+    match &derivation.orientation {
+        Some(orientation) if derivation.offset.is_rational() => {
+            let distance = &derivation.distance;
+            format!(
+                "{reason}; {distance} is the distance where {} > 0, and -{distance} beyond",
+                show(orientation)
+            )
+        }
+        _ => reason,
     }
 }

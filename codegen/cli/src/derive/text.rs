@@ -170,8 +170,17 @@ fn normal(page: &mut Page, derivation: &Derivation) {
 fn singular(page: &mut Page, derivation: &Derivation) {
     page.title("Singular locus on the domain");
     page.poly("factor = ", &derivation.singular.factor);
+    match &derivation.poles {
+        Some(poles) if poles.is_empty() => {}
+        Some(poles) => page.item("poles where W = 0: ", &cut(&poles.to_string(), LONGEST)),
+        None => page.item("", "poles undetermined: they depend on the symbols"),
+    }
     if derivation.singular_zeros.is_empty() {
-        page.item("", "there is a normal everywhere");
+        let poles = derivation.poles.as_ref().is_none_or(|poles| !poles.is_empty());
+        page.item(
+            "",
+            if poles { "there is a normal everywhere but at poles" } else { "there is a normal everywhere" },
+        );
     }
     for zero in &derivation.singular_zeros {
         page.shortened |= zero.len() > LONGEST;

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use hodograph_algebra::{Bidegree, budget};
 use hodograph_codegen::language::ast::{ItemKind, Verdict};
-use hodograph_codegen::language::{Diagnostics, Report};
+use hodograph_codegen::language::{Diagnostic, Diagnostics, Report};
 use hodograph_codegen::meaning::{Judgement, Model};
 
 use crate::args::{Format, VerifyArguments};
@@ -75,8 +75,13 @@ fn check_all(documents: &[Document]) -> Result<Vec<Entry>, Failure> {
 
 fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
     let degrees = model.surface.as_ref().and_then(|surface| {
-        let homogeneous =
-            budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()).ok()?;
+        let homogeneous = match budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()) {
+            Ok(homogeneous) => homogeneous,
+            Err(exhausted) => {
+                diagnostics.push(Diagnostic::new(model.span, exhausted.to_string()));
+                return None;
+            }
+        };
         let (patch, raw) = (homogeneous.degree(), homogeneous.raw_degree());
         Some(Degrees { coordinates: homogeneous.degrees(), patch, raw })
     });

@@ -82,7 +82,7 @@ fn claim(judgement: &Judgement, id: usize) -> String {
         Verdict::Refuted => '✗',
         Verdict::Undecided => '?',
     };
-    let condition = judgement.condition.as_ref().map_or_else(String::new, |c| format!(" when {c}"));
+    let condition = judgement.condition.as_ref().map_or_else(String::new, |c| format!(", when {c}"));
     let mut text = wrapped(
         &format!("{mark} {symbol} {:<id$} ", judgement.id),
         &format!("{}{condition}", judgement.statement),
