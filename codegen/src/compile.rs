@@ -110,6 +110,21 @@ fn positive(poly: &Poly, derivation: &Derivation) -> bool {
 ///
 /// # Errors
 /// [`CompileError`].
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::{compile::compile, language::parse_text, meaning::models};
+///
+/// let text = "sweep paraboloid {
+///     surface R = u*i + v*j + (u^2 + v^2)*k;
+///     domain u in 0..1, v in 0..1;
+/// }";
+/// let (file, _source) = parse_text("paraboloid.sweep", text).unwrap();
+/// let artifact = compile(&models(&file).0[0]).unwrap();
+/// assert_eq!(artifact.degree, (2, 2));
+/// assert_eq!(artifact.coordinate_degrees, [(0, 0), (1, 0), (0, 1), (2, 2)]);
+/// assert_eq!(artifact.control_net[8], [1.0, 1.0, 1.0, 2.0]);
+/// ```
 pub fn compile(model: &Model) -> Result<Artifact, CompileError> {
     let work = || budget::doing("the evaluator", || compile_unlimited(model));
     budget::with_budget(budget::DEFAULT_LIMIT, work)
@@ -145,6 +160,23 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
 ///
 /// Mistakes in the file, sweeps without evaluator, and claims that are found to be other than expected within
 /// [`CLAIMS_LIMIT`], are reported at their places.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::{compile::expand, language::{Report, parse_text}};
+///
+/// let sweep = |degree: &str| {
+///     format!("sweep saddle {{ surface R = (u, v, u*v); domain u in 0..1, v in 0..1; claim \"d\": degree(R) == {degree}; }}")
+/// };
+/// let (file, _source) = parse_text("saddle.sweep", &sweep("(1, 1)")).unwrap();
+/// let (tokens, mistakes) = expand(&file);
+/// assert!(mistakes.is_empty());
+/// assert!(tokens.to_string().contains("mod saddle"));
+///
+/// let (file, source) = parse_text("saddle.sweep", &sweep("(2, 2)")).unwrap();
+/// let report = Report::new(source, expand(&file).1);
+/// assert_eq!(report.lines(), ["saddle.sweep:1:81: the claim \"d\" is refuted: (1, 1)"]);
+/// ```
 #[must_use]
 pub fn expand(file: &File) -> (TokenStream, Diagnostics) {
     let (models, mut diagnostics) = models(file);

@@ -18,6 +18,22 @@ use crate::{BoxSign, Fraction, Interval, Poly, Rational, Term, Variable, ratio};
 /// Planar curves lie in a coordinate plane; `e` is the unit vector of the third axis (**k** for the xy-plane, **j** for
 /// the xz-plane, **i** for the yz-plane). The normal is `n = t × e` (FN (3)): it points to the right of the tangent, away
 /// from the center of curvature where the curvature is positive.
+///
+/// # Example
+/// A PH cubic with the preimage `w = 1 + I·v` (FN (7)):
+/// ```
+/// use hodograph_algebra::{Calculus, Curve, Fraction, Interval, KnownProperties, Poly, Variable, Vector, ratio};
+/// use std::rc::Rc;
+/// let v = Variable::new(1, "v");
+/// let t = Poly::variable(&v);
+/// let position = Vector::new((&t - t.pow(3).scale(&ratio(1, 3))).into(), t.pow(2).into(), Fraction::zero());
+/// let known = KnownProperties::default();
+/// let curve = Curve::new(&v, position, Some(Interval::unit()), known, Rc::new(Calculus::new()));
+/// assert_eq!(curve.speed().unwrap().to_string(), "v^2 + 1");
+/// assert_eq!(curve.arclength().unwrap().to_string(), "1/3*v^3 + v");
+/// assert_eq!(curve.length().unwrap(), Fraction::from(Poly::constant(ratio(4, 3))));
+/// assert_eq!(curve.curvature().unwrap().to_string(), "2/(v^2 + 1)^2");
+/// ```
 #[derive(Clone, Debug)]
 pub struct Curve {
     parameter: Variable,
@@ -102,9 +118,7 @@ pub struct KnownProperties {
 
 impl Curve {
     /// The curve `position` over the closed interval `domain` of `parameter` (from 0 on if there is none).
-    ///
-    /// # Errors
-    /// None here: a property that the curve does not have is reported when it is asked for.
+    /// A property that the curve does not have is reported when it is asked for.
     #[must_use]
     pub fn new(
         parameter: &Variable,

@@ -348,7 +348,12 @@ impl Integer for Int {
                 Int(Small((&**a % *b).to_i64().unwrap_or(0))).gcd(&Int(Small(*b)))
             }
             (Small(a), Big(_)) if *a != 0 => other.gcd(self),
-            _ => self.to_big().gcd(&other.to_big()).into(),
+            _ => {
+                // Binary gcd: as many shifts and differences of all words as there are bits.
+                let words = self.bits().max(other.bits()) / 64;
+                crate::budget::spend(64 + 8 * words * words);
+                self.to_big().gcd(&other.to_big()).into()
+            }
         }
     }
 

@@ -10,6 +10,21 @@ use crate::{Poly, Variable};
 /// The zeros of a polynomial on a closed box, by its factors.
 ///
 /// Factors in one variable vanish on lines `u = c`, given by their exact roots. The others are described one by one.
+///
+/// # Example
+/// ```
+/// use hodograph_algebra::{Interval, Poly, Variable};
+/// let (u, v) = (Variable::new(0, "u"), Variable::new(1, "v"));
+/// let (x, y) = (Poly::variable(&u), Poly::variable(&v));
+/// let domain = [(u, Interval::unit()), (v, Interval::unit())];
+/// // A line, a point and a curve: (2u − 1)·(u² + v²)²·(u + v − 1).
+/// let f = (&x + &x - Poly::one()) * (x.pow(2) + y.pow(2)).pow(2) * (&x + &y - Poly::one());
+/// let zeros = f.zeros_on(&domain).unwrap();
+/// assert_eq!(zeros.to_string(), "u = 1/2; (u, v) = (0, 0); u + v - 1 = 0");
+/// assert!(zeros.is_complete());
+/// let point = zeros.witness(&domain).unwrap();
+/// assert!(f.evaluate(&point).is_zero());
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct ZeroSet {
     /// The lines `variable = root` of the factors in one variable, their multiplicities included.

@@ -14,6 +14,21 @@ use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, min
 ///
 /// All polynomials are over [`Derivation::field`], which has no generator that none of them needs as far as
 /// [`minimize_field`] finds.
+///
+/// # Example
+/// The paraboloid `z = u² + v²`:
+/// ```
+/// use hodograph_algebra::{Fraction, Interval, Poly, SweptSurface, Variable, Vector};
+/// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+/// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+/// let height = &(&u * &u) + &(&v * &v);
+/// let domain = [Interval::unit(), Interval::unit()];
+/// let derivation = SweptSurface::new(Vector::new(u, v, height), parameters, domain).derive().unwrap();
+/// assert_eq!(derivation.homogeneous.to_string(), "(1, u, v, u^2 + v^2)");
+/// assert_eq!(derivation.control_net.degree, [2, 2]);
+/// assert_eq!(derivation.speeds[0].to_string(), "sqrt(4*u^2 + 1)");
+/// assert!(derivation.singular.is_regular() && !derivation.offset.is_rational());
+/// ```
 #[derive(Clone, Debug)]
 pub struct Derivation {
     /// The number field of all coefficients.

@@ -14,6 +14,23 @@ use crate::{Fraction, Interval, Poly, Rational, SquareSplit, Variable, Vector, b
 /// The three components of the numerator are polynomials without common factor and without common content. The sign is
 /// chosen so that `factor` is positive where the domain begins; so where `factor` is positive, the numerator points the
 /// way of `R_u × R_v`.
+///
+/// # Example
+/// The cylinder over the unit circle, whose unit normal is rational:
+/// ```
+/// use hodograph_algebra::{Fraction, Interval, Poly, SweptSurface, Variable, Vector};
+/// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+/// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+/// let (one, square) = (Fraction::one(), &u * &u);
+/// let weight = &one + &square;
+/// let circle = Vector::new(&(&one - &square) / &weight, &(&u + &u) / &weight, v);
+/// let domain = [Interval::unit(), Interval::unit()];
+/// let surface = SweptSurface::new(circle, parameters, domain.clone());
+/// let normal = surface.normal().unwrap();
+/// assert_eq!(normal.numerator().each_ref().map(ToString::to_string), ["-u^2 + 1", "2*u", "0"]);
+/// assert!(normal.is_rational());
+/// assert_eq!(normal.length(surface.parameters(), &domain).unwrap().to_string(), "u^2 + 1");
+/// ```
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Normal {
     numerator: [Poly; 3],

@@ -7,6 +7,21 @@ use crate::{Interval, Poly, Variable, ZeroSet};
 ///
 /// With `R_u × R_v = factor · N` and `N` in lowest terms these are the zeros of the numerator of the factor, such as
 /// `1 + κ(v)x(u)`, and the common zeros of the components of `N`, which are the zeros of `|N|²`.
+///
+/// # Example
+/// A cone has no normal at its apex:
+/// ```
+/// use hodograph_algebra::{Fraction, Interval, Poly, SingularLocus, SweptSurface, Variable, Vector};
+/// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+/// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+/// let rulings = Vector::new(Fraction::one(), v.clone(), &v * &v);
+/// let domain = [Interval::unit(), Interval::unit()];
+/// let cone = SweptSurface::new(rulings.scale(&u), parameters, domain);
+/// let locus = SingularLocus::of(cone.normal().unwrap(), cone.parameters(), cone.domain());
+/// assert_eq!(locus.factor.to_string(), "u");
+/// assert_eq!(locus.factor_zeros.unwrap().to_string(), "u = 0");
+/// assert!(locus.normal_zeros.unwrap().is_empty());
+/// ```
 #[derive(Clone, Debug)]
 pub struct SingularLocus {
     /// The numerator of the factor, without content.

@@ -33,6 +33,21 @@ pub struct SweptSurface {
 }
 
 /// The parametric speed along one family of isoparametric curves.
+///
+/// # Example
+/// On the cone `R = u·(3, 4v, 4)` the curves u = const are straight lines with the parametric speed 4u:
+/// ```
+/// use hodograph_algebra::{Fraction, Interval, Poly, SweptSurface, Variable, Vector, integer};
+/// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+/// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+/// let ruling = Vector::new(integer(3).into(), &v * &integer(4), integer(4).into());
+/// let domain = [Interval::unit(), Interval::unit()];
+/// let [along_u, along_v] = SweptSurface::new(ruling.scale(&u), parameters, domain).speeds();
+/// assert_eq!(along_u.to_string(), "sqrt(16*v^2 + 25)");
+/// // Not certified to be positive, since it is zero at the apex.
+/// assert_eq!(along_v.root.as_ref().unwrap().to_string(), "4*u");
+/// assert_eq!(along_v.to_string(), "abs(4*u)");
+/// ```
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParametricSpeed {
     /// `|R_u|²` or `|R_v|²`.

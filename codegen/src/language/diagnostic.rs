@@ -3,6 +3,17 @@
 use super::token::Span;
 
 /// One mistake of the user.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::language::parse_text;
+///
+/// let report = parse_text("a.sweep", "lemma a { lte b = 1; }").unwrap_err();
+/// let diagnostic = report.diagnostics().iter().next().unwrap();
+/// assert_eq!(diagnostic.message, "there is no clause `lte`");
+/// assert_eq!(diagnostic.help.as_deref(), Some("did you mean `let`?"));
+/// assert_eq!(report.source().position(diagnostic.span).column, 11);
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// What is wrong, in one line without a full stop.

@@ -16,6 +16,16 @@ const UNDERLINED: usize = 60;
 const WIDTH: usize = 120;
 
 /// The mistakes found in a text, with that text. `Display` shows it plainly, [`Report::colored`] for a terminal.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::language::parse_text;
+///
+/// let report = parse_text("a.sweep", "lemma a {\n  domian u in 0..1;\n}").unwrap_err();
+/// assert_eq!(report.lines(), ["a.sweep:2:3: there is no clause `domian`"]);
+/// assert_eq!(report.message(), "a.sweep:2:3: there is no clause `domian`\n  help: did you mean `domain`?");
+/// assert!(report.to_string().starts_with("error: there is no clause `domian`"));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Report {
     source: Source,

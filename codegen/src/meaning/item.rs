@@ -14,6 +14,28 @@ use crate::language::ast::{
 use crate::language::{Diagnostics, Span};
 
 /// What a sweep or a lemma means: its surface, and its claims ready to be checked.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::{language::parse_text, meaning::models};
+///
+/// let text = "/// A tube.
+/// sweep tube {
+///     source \"FN (17)\";
+///     path s(v) = ph([1, 1 + I]);
+///     surface R = s + u*k;
+///     domain u in 0..1, v in 0..1;
+/// }";
+/// let (file, _source) = parse_text("tube.sweep", text).unwrap();
+/// let (models, _mistakes) = models(&file);
+/// let model = &models[0];
+/// assert_eq!((model.name.as_str(), model.source.as_deref()), ("tube", Some("FN (17)")));
+/// assert_eq!(model.docs, ["A tube."]);
+/// assert_eq!(model.formula[1], "surface R = s + u*k;");
+/// assert_eq!(model.surface.as_ref().unwrap().homogeneous().to_string(), "(3, -v^3 + 3*v, 3*v^2, 3*u)");
+/// let [(name, curve)] = model.curves()[..] else { panic!() };
+/// assert_eq!(format!("{name}: {}", curve.speed().unwrap()), "s: v^2 + 1");
+/// ```
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Sweep or lemma.
@@ -37,6 +59,18 @@ pub struct Model {
 }
 
 /// The models of all items of a file, and the mistakes in them.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::{language::parse_text, meaning::models};
+///
+/// let text = "lemma right { let a = 1/2; } lemma wrong { let a = (1, 2)*k; }";
+/// let (file, _source) = parse_text("two.sweep", text).unwrap();
+/// let (models, mistakes) = models(&file);
+/// assert_eq!(models.iter().map(|model| model.name.as_str()).collect::<Vec<_>>(), ["right"]);
+/// let messages: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+/// assert_eq!(messages, ["a vector and a vector cannot be multiplied with `*`"]);
+/// ```
 #[must_use]
 pub fn models(file: &File) -> (Vec<Model>, Diagnostics) {
     let mut diagnostics = Diagnostics::new();

@@ -11,6 +11,24 @@ use crate::language::ast::{Claim, Expr, ExprKind, ItemKind, RelationOperator, Ve
 use crate::language::{Diagnostic, Diagnostics};
 
 /// What became of one claim.
+///
+/// # Example
+/// ```
+/// use hodograph_algebra::budget::DEFAULT_LIMIT;
+/// use hodograph_codegen::language::{ast::Verdict, parse_text};
+/// use hodograph_codegen::meaning::models;
+///
+/// let text = "lemma square { domain u in 0..1; claim \"strict\": u^2 < u, \"both ends\", expect refuted; }";
+/// let (file, _source) = parse_text("square.sweep", text).unwrap();
+/// let model = &models(&file).0[0];
+/// let judgement = model.check(&model.claims[0], DEFAULT_LIMIT).unwrap();
+/// assert_eq!((judgement.id.as_str(), judgement.statement.as_str()), ("strict", "u^2 < u"));
+/// assert_eq!((judgement.verdict, judgement.expected), (Verdict::Refuted, Verdict::Refuted));
+/// assert_eq!(judgement.witness.as_deref(), Some("u = 0"));
+/// assert_eq!(judgement.notes, ["both ends"]);
+/// // A claim that does not fit in the budget is neither proved nor refuted.
+/// assert_eq!(model.check(&model.claims[0], 1).unwrap().verdict, Verdict::Undecided);
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Judgement {
     /// The claim's id.

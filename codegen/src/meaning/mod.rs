@@ -1,8 +1,8 @@
 //! The meaning of the sweep language: from the syntax tree to curves, surfaces and verdicts.
 //!
-//! The grammar is that of [`language`](crate::language). This is the reference of what clauses, names, operators, functions,
-//! members and relations stand for. FN is Farouki and Nittler, *Rational swept surface constructions based on
-//! differential and integral sweep curve properties*, 2014; numbers in brackets are its equations.
+//! The grammar is that of [`language`](crate::language). This is the reference of what clauses, names, operators,
+//! functions, members and relations stand for. FN is Farouki and Nittler, *Rational swept surface constructions based
+//! on differential and integral sweep curve properties*, 2014; numbers in brackets are its equations.
 //!
 //! ```
 //! use hodograph_algebra::budget::DEFAULT_LIMIT;
@@ -36,14 +36,14 @@
 //! # Exactness
 //!
 //! A value is a rational function (or two, or three) of parameters, symbols and unknown functions over a tower of real
-//! square roots; nothing is ever rounded. Two values are equal if they are the same function, which also says that a claim
-//! speaks of all points at which both sides are defined.
+//! square roots; nothing is ever rounded. Two values are equal if they are the same function, which also says that a
+//! claim speaks of all points at which both sides are defined.
 //!
 //! # Clauses
 //!
-//! A name is defined before it is used. Domains alone are read first, wherever they stand, and claims last: they may use all
-//! names. The *parameters* of an item are those of its surface in their order, then, by name, all others that stand in
-//! parentheses behind a defined name or have a domain.
+//! A name is defined before it is used. Domains alone are read first, wherever they stand, and claims last: they may
+//! use all names. The *parameters* of an item are those of its surface in their order, then, by name, all others that
+//! stand in parentheses behind a defined name or have a domain.
 //!
 //! | clause | what it means |
 //! | --- | --- |
@@ -61,16 +61,32 @@
 //! | `substitute v = …;` | after `surface`: a rational function in place of a parameter of the surface |
 //! | `claim "id": relation;` | what is to be settled; see *Claims* |
 //!
-//! - `symbol`, `let`, `function` and the curves' clauses may stand in any number. A sweep needs a domain for both parameters
-//!   of its surface and has no other one. In a lemma domains are needed only by what asks for them: inequalities, roots of
-//!   functions, total arc lengths.
-//! - The three kinds of curves differ in their roles alone: each takes a vector (`x*i + z*k`, `(x, y)`, `(x, y, z)`) or one of
-//!   the *Constructors*, depends on its own parameter and on no other, and has all *Members of curves*.
-//! - An unknown function `x(u)` stands for `x` at the parameter as it is: `x`, `diff(x, u)`, …, up to the sixth derivative.
-//!   It has no value at a point, no degree, and no place in a surface; a lemma can state identities for all functions.
-//! - A surface is a vector with components in its two parameters and in symbols. From its clause on `W`, `X`, `Y`, `Z` are
-//!   its homogeneous coordinates (10): polynomials without common factor.
-//! - `substitute` changes the surface, with its coordinates and members, but not the curves from which it was made.
+//! - `symbol`, `let`, `function` and the curves' clauses may stand in any number. A sweep needs a domain for both
+//!   parameters of its surface and has no other one. In a lemma domains are needed only by what asks for them:
+//!   inequalities, roots of functions, total arc lengths.
+//! - The three kinds of curves differ in their roles alone: each takes a vector (`x*i + z*k`, `(x, y)`, `(x, y, z)`) or
+//!   one of the *Constructors*, depends on its own parameter and on no other, and has all *Members of curves*.
+//! - An unknown function `x(u)` stands for `x` at the parameter as it is: `x`, `diff(x, u)`, …, up to the sixth
+//!   derivative. It has no value at a point, no degree, and no place in a surface; a lemma can state identities for all
+//!   functions.
+//! - A surface is a vector with components in its two parameters and in symbols. From its clause on `W`, `X`, `Y`, `Z`
+//!   are its homogeneous coordinates (10): polynomials without common factor.
+//! - `substitute v = f;` replaces a parameter of the surface by a scalar of its parameters: `R(u, v)` becomes
+//!   `R(u, f)`, with all its coordinates and members, over the domain that is stated for `v`. The curves stay as they are.
+//!   Errors: no surface before it; a denominator that vanishes.
+//!
+//! ```
+//! use hodograph_codegen::{language::parse_text, meaning::models};
+//!
+//! let text = "sweep saddle {
+//!     surface R = (u, v, u*v);
+//!     substitute v = v^2;
+//!     domain u in 0..1, v in 0..1;
+//! }";
+//! let (models, _mistakes) = models(&parse_text("saddle.sweep", text).unwrap().0);
+//! let surface = models[0].surface.as_ref().unwrap();
+//! assert_eq!(surface.homogeneous().to_string(), "(1, u, v^2, u*v^2)");
+//! ```
 //!
 //! # Names
 //!
@@ -110,8 +126,8 @@
 //! | `a^n` | a scalar or complex number, with an integer −1000 ≤ n ≤ 1000 ([`MAX_EXPONENT`]) |
 //! | `f(a, b)` | the value of a function, curve, member of a curve or surface at these values of its parameters |
 //!
-//! A call takes scalars: numbers, but also `s(1 - v)` or `R(u, c)`. It is an error where the denominator vanishes, unless
-//! the zero cancels, and where it would need an unknown function at another point.
+//! A call takes scalars: numbers, but also `s(1 - v)` or `R(u, c)`. It is an error where the denominator vanishes,
+//! unless the zero cancels, and where it would need an unknown function at another point.
 //!
 //! ```
 //! # use hodograph_codegen::{language::parse_text, meaning::models};
@@ -141,35 +157,38 @@
 //!
 //! ## Derivatives and products
 //!
-//! - `diff(f, u)`: the partial derivative `∂f/∂u` of a scalar, complex number or vector. `diff(f, u, n)` is the n-th one,
-//!   `0 ≤ n ≤ 100`. The derivative of a curve by its parameter can be called: `diff(s, v)(1)`.
+//! - `diff(f, u)`: the partial derivative `∂f/∂u` of a scalar, complex number or vector. `diff(f, u, n)` is the n-th
+//!   one, `0 ≤ n ≤ 100`. The derivative of a curve by its parameter can be called: `diff(s, v)(1)`.
 //! - `dot(a, b)`, `cross(a, b)`: the products of two vectors.
 //! - `norm2(a)`: `a·a` of a vector; `|a|²` of a complex number.
 //! - `conj(z)`, `re(z)`, `im(z)`: conjugate, real part, imaginary part of a complex number.
 //!
 //! ## Roots and angles
 //!
-//! - `sqrt(a)`: the square root that is not negative. Of a number it is exact: it stays in a tower of square roots of at most
-//!   16 storeys. Of a function it exists if the function is a square of a rational function that keeps one sign on the
-//!   domain. Errors: a negative number; no square; a sign that changes, or that depends on symbols.
+//! - `sqrt(a)`: the square root that is not negative. Of a number it is exact: it stays in a tower of square roots of
+//!   at most 16 storeys. Of a function it exists if the function is a square of a rational function that keeps one sign
+//!   on the domain. Errors: a negative number; no square; a sign that changes, or that depends on symbols.
 //! - `abs(a)`: the absolute value of a number.
 //! - `cos(q*pi)`, `sin(q*pi)`, `exp(I*q*pi)`: for rational `q` whose denominator is a power of two, up to 2¹⁰
-//!   ([`MAX_ANGLE_HALVINGS`](hodograph_algebra::MAX_ANGLE_HALVINGS)), times a product of different ones of 3, 5 and 17: what
-//!   square roots can construct. Errors: other angles.
+//!   ([`MAX_ANGLE_HALVINGS`](hodograph_algebra::MAX_ANGLE_HALVINGS)), times a product of different ones of 3, 5 and 17:
+//!   what square roots can construct. Errors: other angles.
 //!
 //! ## Polynomials
 //!
-//! - `gcd(f, g, …)`: the greatest common divisor of polynomials in all variables, without numeric factor.
-//! - `degree(f, g, …)`: the degrees in the two parameters, the largest of all arguments for each; a vector or a surface stands
-//!   for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, an item
-//!   with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
+//! - `gcd(f, g, …)`: the greatest common divisor of polynomials in all variables, without numeric factor: that of
+//!   numbers is 1.
+//! - `degree(f, g, …)`: the degrees in the two parameters, the largest of all arguments for each; a vector or a surface
+//!   stands for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, an
+//!   item with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
 //! - `degree(f, g, …, parameter = v)`: the degree in one parameter.
 //!
 //! ## Surfaces
 //!
-//! - `homogeneous(R)`: the coordinates `(W, X, Y, Z)` of (10) without common factor, of a surface, an offset or any vector.
-//! - `normal(R)`: the direction of (11) in lowest terms: three coprime polynomials, the numerator of `R_u × R_v`. It points the
-//!   way of `R_u × R_v` at the beginning of the domain, and has no length of its own. Error: `R_u × R_v` is zero everywhere.
+//! - `homogeneous(R)`: the coordinates `(W, X, Y, Z)` of (10) without common factor, of a surface, an offset or any
+//!   vector.
+//! - `normal(R)`: the direction of (11) in lowest terms: three coprime polynomials, the numerator of `R_u × R_v`. It
+//!   points the way of `R_u × R_v` at the beginning of the domain, and has no length of its own. Error: `R_u × R_v` is
+//!   zero everywhere.
 //! - `offset(R, d)`: the offset surface `R + d·N` of (12) with the unit normal `N`, for a scalar `d`. Errors, except in
 //!   `is_rational`: it is not rational in the given parameters, or only over a root of the symbols.
 //! - `offset(s, d)`: the offset curve of (8), as `s.offset(d)`.
@@ -207,19 +226,21 @@
 //!   coefficient that differs from zero.
 //! - `ph(n)`: the same with an odd degree n ≤ 201 ([`MAX_PH_DEGREE`](hodograph_algebra::MAX_PH_DEGREE)) and symbols for
 //!   coefficients, `w_j = aj + I*bj`: every PH curve of this degree with a primitive hodograph (7).
-//! - `ph(…, start = (x, y))`: with `s(0) = (x, y)`. `ph(…, factor = h)`: with the hodograph `h·w²`, for a nonzero polynomial `h`.
-//! - `ph_hermite(a, da, b, db)`: the planar PH quintic with `s(0) = a`, `s'(0) = da`, `s(1) = b`, `s'(1) = db`, four pairs of
-//!   numbers: of the four solutions that of least absolute rotation index (see [`Hermite`](hodograph_algebra::Hermite)).
-//!   Errors: a tangent that is zero; a tie, which lists the candidates.
+//! - `ph(…, start = (x, y))`: with `s(0) = (x, y)`. `ph(…, factor = h)`: with the hodograph `h·w²`, for a nonzero
+//!   polynomial `h`.
+//! - `ph_hermite(a, da, b, db)`: the planar PH quintic with `s(0) = a`, `s'(0) = da`, `s(1) = b`, `s'(1) = db`, four
+//!   pairs of numbers: of the four solutions that of least absolute rotation index (see
+//!   [`Hermite`](hodograph_algebra::Hermite)). Errors: a tangent that is zero; a tie, which lists the candidates.
 //! - `ph_hermite(…, solution = n)`: the solution with the number n from 0 to 3.
 //! - `bezier([p0, …, pk])`: the Bézier curve with two control points at least, in the plane or in space.
-//! - `bezier([…], weights = [w0, …, wk])`: the rational one; a scalar weight for each point. Errors: weights that cancel.
+//! - `bezier([…], weights = [w0, …, wk])`: the rational one; a scalar weight for each point. Errors: weights that
+//!   cancel.
 //! - `polynomial_curve(n)`: every planar curve of degree `1 ≤ n ≤ 32`: `x = x0 + x1*v + …`, `y = y0 + y1*v + …`.
 //! - `rational_curve(n)`: the same over the weight `w0 + w1*v + …`.
-//! - `regular_curve(sigma, kappa)`: every regular planar curve with this parametric speed and curvature, given by scalars of
-//!   the curve's parameter, unknown functions mostly: a curve in its moving frame (4).
-//! - `curve_from_hodograph(h)`: the curve with `s' = h` for a vector `h`, without the integration: coordinates, and the arc
-//!   length if `|h|` is rational, are symbols of which only the derivatives are known.
+//! - `regular_curve(sigma, kappa)`: every regular planar curve with this parametric speed and curvature, given by
+//!   scalars of the curve's parameter, unknown functions mostly: a curve in its moving frame (4).
+//! - `curve_from_hodograph(h)`: the curve with `s' = h` for a vector `h`, without the integration: coordinates, and the
+//!   arc length if `|h|` is rational, are symbols of which only the derivatives are known.
 //!
 //! The coefficients of `ph(n)`, `polynomial_curve` and `rational_curve` are symbols of the item. If it has several such
 //! curves, the curve's name precedes theirs: `s_a0`.
@@ -271,15 +292,16 @@
 //! | `involute` | `s − s(v)·t`, with the arc length `s(v)` | (24) |
 //! | `evolute` | `s − n/κ` | (28) |
 //!
-//! `e` is the unit vector orthogonal to the coordinate plane of the curve: `k` in the xy-plane, `j` in the xz-plane, `i` in the
-//! yz-plane. Errors:
+//! `e` is the unit vector orthogonal to the coordinate plane of the curve: `k` in the xy-plane, `j` in the xz-plane,
+//! `i` in the yz-plane. Errors:
 //!
-//! - `speed`, and all that contains it (everything below it in the table): the curve is a point; `‖s'‖²` is not the square of
-//!   a rational function; the root of it changes its sign on the domain. Where the sign depends on symbols, what is claimed
-//!   of the curve holds under a condition such as `c > 0`, which the judgement says.
+//! - `speed`, and all that contains it (everything below it in the table): the curve is a point; `‖s'‖²` is not the
+//!   square of a rational function; the root of it changes its sign on the domain, or anywhere if there is none. Where
+//!   the sign depends on symbols, what is claimed of the curve holds under a condition such as `c > 0`: see
+//!   [`Judgement::condition`].
 //! - `normal`, `curvature`, `offset`, `evolute`: the curve lies in none of the coordinate planes.
-//! - `arclength`, `length`, `involute`: the speed is not a polynomial in the parameter, so that no rational integral of it is
-//!   known. `length` needs a domain.
+//! - `arclength`, `length`, `involute`: the speed is not a polynomial in the parameter, so that no rational integral of
+//!   it is known. `length` needs a domain.
 //! - `evolute`: the curvature is zero everywhere.
 //!
 //! ```
@@ -310,6 +332,18 @@
 //! assert_eq!(judgements[7].1, "both sides are 4/3");
 //! ```
 //!
+//! Where symbols decide on the sign of the parametric speed, its condition is part of the judgement:
+//!
+//! ```
+//! use hodograph_codegen::{language::parse_text, meaning::models};
+//!
+//! let text = r#"lemma line { symbol c; curve s(v) = c*v*(3, 4); claim "speed": s.speed == 5*c; }"#;
+//! let (models, _mistakes) = models(&parse_text("line.sweep", text).unwrap().0);
+//! let judgement = models[0].check(&models[0].claims[0], u64::MAX).unwrap();
+//! assert_eq!(judgement.derived, "both sides are 5*c");
+//! assert_eq!(judgement.condition.as_deref(), Some("c > 0"));
+//! ```
+//!
 //! # Members of surfaces and vectors
 //!
 //! | of | members |
@@ -320,9 +354,9 @@
 //!
 //! # Claims
 //!
-//! `claim "id": relation, "note", expect refuted, when c == 1;` settles a relation. After it stand, in any order, remarks, the
-//! verdict that is expected (*proved* if none is given), and conditions; each `when` puts a scalar in place of a symbol. Ids
-//! need not be unique.
+//! `claim "id": relation, "note", expect refuted, when c == 1;` settles a relation. After it stand, in any order,
+//! remarks, the verdict that is expected (*proved* if none is given), and conditions; each `when` puts a scalar in
+//! place of a symbol. Ids need not be unique.
 //!
 //! | relation | holds if |
 //! | --- | --- |
@@ -337,17 +371,17 @@
 //! | `approx(a, 1.4142)` | the number differs from the decimal by half a unit of its last digit at most |
 //! | `not relation` | the relation is refuted |
 //!
-//! - *Proved* and *refuted* are exact. *Undecided* are inequalities whose sides contain symbols or unknown functions, or
-//!   a denominator that may vanish on the domain, or that touch zero where subdivision finds no end; and all that exceeds
-//!   the budget. `not` leaves them undecided.
+//! - *Proved* and *refuted* are exact. *Undecided* are inequalities whose sides contain symbols or unknown functions,
+//!   or a denominator that may vanish on the domain, or that touch zero where subdivision finds no end; and all that
+//!   exceeds the budget. `not` leaves them undecided.
 //! - An inequality needs a domain for each parameter that occurs; the ends of the intervals belong to it.
-//! - What is proved of symbols and unknown functions holds for all of their values, except that degrees and common factors are
-//!   those of general values: special values can lower a degree. What is refuted may hold for special values.
-//!   [`Judgement::scope`] says it.
-//! - Where an equality, `parallel` or an inequality is refuted, [`Judgement::witness`] is a point at which it fails, with
-//!   both sides.
-//! - `is_rational` is refuted for irrational speeds and roots, what is made of them, and offsets of surfaces; other parameters of
-//!   the same curve or surface may have rational ones.
+//! - What is proved of symbols and unknown functions holds for all of their values, except that degrees and common
+//!   factors are those of general values: special values can lower a degree. What is refuted may hold for special
+//!   values. [`Judgement::scope`] says it.
+//! - Where an equality, `parallel` or an inequality is refuted, [`Judgement::witness`] is a point at which it fails,
+//!   with both sides.
+//! - `is_rational` is refuted for irrational speeds and roots, for what is made of them, and for offsets of surfaces;
+//!   in other parameters they may be rational.
 //!
 //! ```
 //! # use hodograph_codegen::{language::parse_text, meaning::{Judgement, models}};
@@ -400,8 +434,8 @@
 //!
 //! # Mistakes
 //!
-//! [`models`] reports the mistakes of all clauses, and unknown names in claims; [`Model::check`] those in the claim itself. What
-//! depends on a definition with a mistake is not reported again.
+//! [`models`] reports the mistakes of all clauses, and unknown names in claims; [`Model::check`] those in the claim
+//! itself. What depends on a definition with a mistake is not reported again.
 //!
 //! ```
 //! use hodograph_codegen::language::{Report, parse_text};
