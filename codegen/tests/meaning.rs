@@ -584,14 +584,46 @@ fn curves_without_a_property() {
         ),
         ("curve s(v) = ph([1, I]);", "s.length", "t:3:14: no domain is stated for the curve's parameter"),
         (
-            "curve s(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2));",
-            "s.arclength",
-            "t:3:14: no rational arc length is known",
+            "domain v in -1..1; curve s(v) = (v^2/2 - v^4/4, 2*v^3/3);",
+            "s.speed",
+            "t:3:14: the parametric speed is not rational on this domain: its factor v^3 + v changes its sign there",
         ),
     ];
     for (curve, value, expected) in table {
         mistake(&with(curve, value), expected);
     }
+}
+
+#[test]
+fn speeds_are_absolute_values() {
+    // On one side of its cusp the curve has the speed |v|(1 + v^2).
+    let half = |domain: &str| format!("domain v in {domain}; path s(v) = (v^2/2 - v^4/4, 2*v^3/3);");
+    equal(&half("0..1"), &[("s.speed", "v + v^3"), ("s.length", "3/4")]);
+    equal(&half("-1..0"), &[("s.speed", "-v - v^3"), ("s.length", "3/4")]);
+    // The sign of an unknown is taken to be positive, and said so.
+    let text =
+        "lemma t { symbol c; path s(v) = (c*v, 0); claim \"id\": s.speed == c; claim \"id\": s.x == c*v; }";
+    let judgements = judge(text).expect("no mistakes");
+    assert_eq!(judgements[0].verdict, Verdict::Proved);
+    assert_eq!(judgements[0].condition.as_deref(), Some("c > 0"));
+    // An integral of a rational function may be rational or not; only those of polynomials are known.
+    let circle = "lemma t { curve s(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2)); claim \"id\": is_rational(s.arclength); }";
+    let judgements = judge(circle).expect("no mistakes");
+    assert_eq!(judgements[0].verdict, Verdict::Undecided);
+    assert!(judgements[0].derived.contains("no rational arc length is known"), "{}", judgements[0].derived);
+}
+
+#[test]
+fn substitution_changes_the_parameter_of_the_surface() {
+    let sweep = |value: &str| {
+        format!(
+            "sweep t {{ surface R = u*i + v*j + u*v*k; substitute v = {value}; domain u in 0..1, v in 0..1; \
+             claim \"id\": R == u*i + v^2*j + u*v^2*k; claim \"id\": degree(Z) == (1, 2); }}"
+        )
+    };
+    let judgements = judge(&sweep("v^2")).expect("no mistakes");
+    assert!(judgements.iter().all(|judgement| judgement.verdict == Verdict::Proved));
+    mistake(&sweep("w"), "t:1:57: `w` is not defined");
 }
 
 #[test]
@@ -639,7 +671,7 @@ fn a_tie_of_hermite_interpolants_lists_the_candidates() {
         "{report}"
     );
     assert!(report.contains("solution 0:") && report.contains("solution 2:"), "{report}");
-    assert!(report.contains("help: add `solution = 0`"), "{report}");
+    assert!(report.contains("help: add `solution = …` with one of these numbers"), "{report}");
     // Each candidate can be chosen, and they are mirror images.
     let definitions = format!("path s(v) = {tie}, solution = 0); path t(v) = {tie}, solution = 2);");
     equal(&definitions, &[("s(1)", "(0, 0)"), ("t(1)", "(0, 0)"), ("s.x", "t.x"), ("s.y", "-t.y")]);

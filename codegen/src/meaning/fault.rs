@@ -64,12 +64,8 @@ impl Fault {
 
     /// A property that a curve does not have.
     pub(super) fn curve(span: Span, error: &CurveError) -> Fault {
-        let irrational = matches!(
-            error,
-            CurveError::IrrationalSpeed { .. }
-                | CurveError::SpeedChangesSign { .. }
-                | CurveError::ArcLength { .. }
-        );
+        let irrational =
+            matches!(error, CurveError::IrrationalSpeed { .. } | CurveError::SpeedChangesSign { .. });
         let help = match error {
             CurveError::IrrationalSpeed { .. } => {
                 "only curves with a rational parametric speed, such as Pythagorean-hodograph curves (`ph`, \
@@ -83,7 +79,9 @@ impl Fault {
             CurveError::NoDomain => "state `domain`, with the interval of the curve's parameter",
             _ => "",
         };
-        let fault = Fault::new(span, error.to_string()).irrational(irrational);
+        let mut fault = Fault::new(span, error.to_string());
+        fault.irrational = irrational;
+        fault.undecidable = matches!(error, CurveError::ArcLength { .. });
         if help.is_empty() { fault } else { fault.help(help) }
     }
 
@@ -99,11 +97,6 @@ impl Fault {
     pub(super) fn exhausted(span: Span, error: &Exhausted) -> Fault {
         let message = error.to_string();
         Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers")
-    }
-
-    fn irrational(mut self, irrational: bool) -> Fault {
-        self.irrational = irrational;
-        self
     }
 }
 

@@ -319,7 +319,7 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         let degree = polys.iter().map(|poly| poly.degree(&by).map_or(-1, i64::from)).max().unwrap_or(-1);
         return value(vec![degree]);
     }
-    if scope.parameters.len() != 2 {
+    if scope.surface.is_none() && scope.parameters.len() != 2 {
         let known: Vec<&str> = scope.parameters.iter().map(Variable::name).collect();
         let fault = Fault::new(call.span, "a bidegree needs two parameters");
         return Err(fault.help(format!(

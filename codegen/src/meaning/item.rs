@@ -279,22 +279,29 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
             })
         };
         let domain = [domain(&parameters[0])?, domain(&parameters[1])?];
-        let other = position.components().iter().flat_map(|f| f.occurring_variables()).find(|variable| {
-            scope.calculus.is_function(variable)
-                || (scope.parameters.contains(variable) && !parameters.contains(variable))
-        });
-        if let Some(other) = other {
-            let message = if scope.calculus.is_function(&other) {
-                format!("the surface contains the unknown function `{other}`")
-            } else {
-                format!("the surface contains the parameter `{other}`, which is not one of its own")
-            };
-            return Err(
-                Fault::new(expr.span(), message).help("a lemma can state identities for unknown functions")
-            );
-        }
+        check_surface_variables(scope, &position, &parameters, expr.span())?;
         Ok(SweptSurface::new(position, parameters, domain))
     })
+}
+
+/// Reports what a surface cannot contain: unknown functions, and parameters that are not its own.
+fn check_surface_variables(
+    scope: &Scope,
+    position: &Vector,
+    parameters: &[Variable; 2],
+    span: Span,
+) -> Result<(), Fault> {
+    let other = position.components().iter().flat_map(Fraction::occurring_variables).find(|variable| {
+        scope.calculus.is_function(variable)
+            || (scope.parameters.contains(variable) && !parameters.contains(variable))
+    });
+    let Some(other) = other else { return Ok(()) };
+    let message = if scope.calculus.is_function(&other) {
+        format!("the surface contains the unknown function `{other}`")
+    } else {
+        format!("the surface contains the parameter `{other}`, which is not one of its own")
+    };
+    Err(Fault::new(span, message).help("a lemma can state identities for unknown functions"))
 }
 
 /// Reports π outside of angles: it is not algebraic.
@@ -448,7 +455,9 @@ fn substitute_parameter(scope: &mut Scope, definition: &Definition) -> Result<()
         let values = [(replaced, value)].into();
         let position = Value::Vector(surface.position().clone());
         let position = super::calls::substitute(scope, definition.value.span(), &position, &values)?;
-        Ok(position.vector().unwrap_or_else(Vector::zero).reduced())
+        let position = position.vector().unwrap_or_else(Vector::zero).reduced();
+        check_surface_variables(scope, &position, surface.parameters(), definition.value.span())?;
+        Ok(position)
     })?;
     let domain = surface.domain().clone();
     let surface = Rc::new(SweptSurface::new(substituted, surface.parameters().clone(), domain));

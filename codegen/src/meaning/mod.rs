@@ -99,7 +99,7 @@
 //! | `pi` | π, which stands in angles only |
 //! | `W`, `X`, `Y`, `Z` | after `surface`: its homogeneous coordinates |
 //! | names of parameters | the parameter; it needs no clause |
-//! | names of functions | those below; `curvature` is reserved too, and is a member |
+//! | names of functions | those below |
 //! | `sqrt2`, …, `theta`, `theta2`, … | how square roots are printed; write `sqrt(2)` |
 //! | `x_u`, `x_uu`, … | for an unknown function `x(u)`: how its derivatives are printed; write `diff(x, u)` |
 //! | `a0`, `b0`, `x0`, `y0`, `w0`, … | the symbols of a curve with symbolic coefficients; see *Constructors* |
@@ -178,8 +178,8 @@
 //! - `gcd(f, g, …)`: the greatest common divisor of polynomials in all variables, without numeric factor: that of
 //!   numbers is 1.
 //! - `degree(f, g, …)`: the degrees in the two parameters, the largest of all arguments for each; a vector or a surface
-//!   stands for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, an
-//!   item with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
+//!   stands for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, a
+//!   lemma with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
 //! - `degree(f, g, …, parameter = v)`: the degree in one parameter.
 //!
 //! ## Surfaces

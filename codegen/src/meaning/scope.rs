@@ -23,7 +23,6 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "coprime",
     "cos",
     "cross",
-    "curvature",
     "curve_from_hodograph",
     "degree",
     "diff",
