@@ -595,6 +595,16 @@ fn curves_without_a_property() {
 }
 
 #[test]
+fn parameters_cannot_be_words_of_the_language() {
+    let sweep = "sweep t { surface R(i, v) = i*k + v*j; domain i in 0..1, v in 0..1; }";
+    mistake(sweep, "t:1:21: `i` has a meaning of its own, so it cannot be a parameter");
+    mistake(
+        "lemma t { path s(theta) = (1, theta); }",
+        "t:1:18: `theta` is reserved for square roots, so it cannot be",
+    );
+}
+
+#[test]
 fn speeds_are_absolute_values() {
     // On one side of its cusp the curve has the speed |v|(1 + v^2).
     let half = |domain: &str| format!("domain v in {domain}; path s(v) = (v^2/2 - v^4/4, 2*v^3/3);");

@@ -11,7 +11,7 @@ use super::value::{FunctionValue, Value};
 use crate::language::ast::{
     Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name,
 };
-use crate::language::{Diagnostics, Span};
+use crate::language::{Diagnostic, Diagnostics, Span};
 
 /// What a sweep or a lemma means: its surface, and its claims ready to be checked.
 ///
@@ -87,6 +87,12 @@ pub fn models(file: &File) -> (Vec<Model>, Diagnostics) {
 fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
     let before = diagnostics.count();
     let mut scope = Scope::new(parameters(item));
+    for name in parameter_names(item) {
+        if let Some(taken) = Scope::reserved(&name.value) {
+            let message = format!("`{}` {taken}, so it cannot be a parameter", name.value);
+            diagnostics.push(Diagnostic::new(name.span, message).help("use another name"));
+        }
+    }
     let prefixes = symbolic_curves(item) > 1;
     let mut surface = None;
     let mut source = None;
@@ -212,6 +218,28 @@ fn parameters(item: &Item) -> Vec<Variable> {
         names.splice(0..0, own);
     }
     (0_u32..).zip(names).map(|(rank, name)| Variable::new(rank.min(Variable::SYMBOL - 1), name)).collect()
+}
+
+/// Each parameter where it is first named.
+fn parameter_names(item: &Item) -> Vec<&Name> {
+    let mut names: Vec<&Name> = Vec::new();
+    for clause in &item.clauses {
+        match &clause.kind {
+            ClauseKind::Surface(surface) => names.extend(surface.parameters.iter().flatten()),
+            ClauseKind::Domain(intervals) => {
+                names.extend(intervals.iter().map(|interval| &interval.parameter))
+            }
+            ClauseKind::Curve(curve) => names.push(&curve.parameter),
+            ClauseKind::Function(functions) => {
+                names.extend(functions.iter().map(|function| &function.parameter))
+            }
+            ClauseKind::Let(definition) => names.extend(&definition.parameters),
+            _ => {}
+        }
+    }
+    let mut seen = std::collections::BTreeSet::new();
+    names.retain(|name| seen.insert(name.value.as_str()));
+    names
 }
 
 /// The number of curves with symbolic coefficients.

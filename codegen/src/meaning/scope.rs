@@ -139,20 +139,29 @@ impl Scope {
             let diagnostic = Diagnostic::new(name.span, message).also(*first, "first defined here");
             return Err(diagnostic.help("use another name").into());
         }
-        let taken = if CONSTANTS.contains(&text) || FUNCTIONS.contains(&text) {
-            "has a meaning of its own"
+        let taken = if let Some(taken) = Scope::reserved(text) {
+            taken
         } else if self.parameters.iter().any(|parameter| parameter.name() == text) {
             "is a parameter"
         } else if self.surface.is_some() && COORDINATES.contains(&text) {
             "is a homogeneous coordinate of the surface"
-        } else if is_radical(text) {
-            "is reserved for square roots"
         } else if self.calculus.is_function(&Variable::new(Variable::SYMBOL, text)) {
             "stands for a derivative of an unknown function, or for a coordinate of a curve"
         } else {
             return Ok(());
         };
         Err(Fault::new(name.span, format!("`{text}` {taken}")).help("use another name"))
+    }
+
+    /// Why no item can define this name, if that is so.
+    pub(super) fn reserved(name: &str) -> Option<&'static str> {
+        if CONSTANTS.contains(&name) || FUNCTIONS.contains(&name) {
+            Some("has a meaning of its own")
+        } else if is_radical(name) {
+            Some("is reserved for square roots")
+        } else {
+            None
+        }
     }
 
     /// The curves by their names.
