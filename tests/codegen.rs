@@ -4,15 +4,16 @@
 use std::convert::Infallible;
 use std::path::Path;
 
-use hodograph_algebra::Poly;
+use hodograph_algebra::{Essentials, Normal, Poly};
 use hodograph_codegen::compile::{compile, exact_program, expand};
 use hodograph_codegen::emit::{Artifact, format, module, standalone};
 use hodograph_codegen::expansion;
 use hodograph_codegen::language::parse_macro;
+use hodograph_codegen::meaning::Model;
 use hodograph_codegen::program::{Operation, Program, Value};
 use hodograph_codegen::schedule::{Derived, Mismatch, check, outputs};
 use hodograph_tests::build::{built, rustc};
-use hodograph_tests::catalogue::{Entry, entries, files};
+use hodograph_tests::catalogue::{entries, families, files};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,7 +25,8 @@ fn compare(name: &str, text: &str) {
 }
 
 fn artifacts() -> Vec<Artifact> {
-    let artifacts: Vec<Artifact> = entries().iter().map(|entry| compile(&entry.model).unwrap()).collect();
+    let concrete = entries().into_iter().map(|entry| entry.model);
+    let artifacts: Vec<Artifact> = concrete.chain(families()).map(|model| compile(&model).unwrap()).collect();
     assert!(!artifacts.is_empty());
     artifacts
 }
@@ -114,7 +116,8 @@ fn standalone_code_needs_nothing_and_gives_the_same_bits() {
     assert_eq!(compiles(folder.path(), &library, &["--crate-type", "lib", "--emit", "metadata"]), Ok(()));
 
     // The same text as a program that prints the bits of points and normals.
-    let surfaces = artifacts.iter().map(|artifact| {
+    let concrete: Vec<&Artifact> = artifacts.iter().filter(|artifact| artifact.symbols.is_empty()).collect();
+    let surfaces = concrete.iter().map(|artifact| {
         let name: TokenStream = artifact.name.parse().unwrap();
         let kind: TokenStream = type_of(&artifact.name).parse().unwrap();
         quote!(&#name::#kind)
@@ -139,7 +142,7 @@ fn standalone_code_needs_nothing_and_gives_the_same_bits() {
     let output = std::process::Command::new(folder.path().join("emitted")).output().unwrap();
     assert!(output.status.success());
     let mut expected = String::new();
-    for artifact in &artifacts {
+    for artifact in concrete {
         let surface = hodograph::catalogue::all().iter().find(|surface| surface.name() == artifact.name);
         let surface = surface.unwrap_or_else(|| panic!("{} has no evaluator", artifact.name));
         for (u, v) in PLACES {
@@ -157,39 +160,50 @@ fn type_of(name: &str) -> String {
     name.split('_').map(capital).collect()
 }
 
-/// Proves a program of an entry.
-fn prove(entry: &Entry, program: &Program<Poly>) -> Result<(), Mismatch> {
-    let derivation = &entry.derivation;
-    let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
+/// Every expanded sweep, families too, with its program.
+fn programs() -> Vec<(Model, Essentials, Program<Poly>)> {
+    let concrete = entries().into_iter().map(|entry| entry.model);
+    let with_program = |model: Model| {
+        let essentials = model.surface.as_ref().unwrap().essentials().unwrap();
+        let program = exact_program(&model, &essentials).unwrap();
+        (model, essentials, program)
+    };
+    concrete.chain(families()).map(with_program).collect()
+}
+
+/// Proves a program of a sweep.
+fn prove(essentials: &Essentials, program: &Program<Poly>) -> Result<(), Mismatch> {
+    let parameters = &essentials.parameters;
+    let normal = essentials.normal.as_ref();
+    let length = normal.filter(|_| essentials.symbols.is_empty());
+    let length = length.and_then(|normal| normal.length(parameters, &essentials.domain));
     let zero = hodograph_algebra::integer(0);
     let derived = Derived {
-        parameters: derivation.parameters.each_ref(),
-        homogeneous: derivation.homogeneous.coordinates(),
-        normal: derivation.normal.numerator(),
+        parameters: parameters.each_ref(),
+        homogeneous: essentials.homogeneous.coordinates(),
+        normal: normal.map(Normal::numerator),
         normal_root: length.as_ref().filter(|_| !program.results(outputs::UNIT_NORMAL).is_empty()),
-        singular: None,
+        singular: essentials.orientation.as_ref(),
         known: &[],
         domain: &[[zero.clone(), zero.clone()], [zero.clone(), zero]],
+        conditions: &[],
     };
     check(program, &derived)
 }
 
 #[test]
 fn programs_are_proved() {
-    for entry in entries() {
-        let program = exact_program(&entry.model, &entry.derivation).unwrap();
-        assert_eq!(prove(&entry, &program), Ok(()), "{}", entry.model.name);
+    for (model, essentials, program) in programs() {
+        assert_eq!(prove(&essentials, &program), Ok(()), "{}", model.name);
     }
 }
 
 #[test]
 fn no_changed_constant_passes_the_proof() {
-    for entry in entries() {
-        let name = &entry.model.name;
-        let program = exact_program(&entry.model, &entry.derivation).unwrap();
-        let proved = program.outputs().iter().filter(|output| output.name != outputs::SINGULAR);
-        let proved: Vec<Value> = proved.flat_map(|output| output.values.clone()).collect();
-        let needed = program.needed(&proved);
+    for (model, essentials, program) in programs() {
+        let name = &model.name;
+        let proved = program.outputs().iter().flat_map(|output| output.values.clone());
+        let needed = program.needed(&proved.collect::<Vec<Value>>());
         let is_constant = |value: &Value| matches!(program.operation(*value), Operation::Constant(_));
         let constants: Vec<Value> = program.values().filter(is_constant).collect();
         assert!(needed.iter().any(is_constant), "{name}");
@@ -200,16 +214,15 @@ fn no_changed_constant_passes_the_proof() {
                 Ok(if place - 1 == changed { constant + &Poly::one() } else { constant.clone() })
             });
             let Ok(broken) = broken;
-            assert!(prove(&entry, &broken).is_err(), "{name} with another constant {changed}");
+            assert!(prove(&essentials, &broken).is_err(), "{name} with another constant {changed}");
         }
     }
 }
 
 #[test]
 fn no_exchange_of_parameters_passes_the_proof() {
-    for mut entry in entries() {
-        let program = exact_program(&entry.model, &entry.derivation).unwrap();
-        entry.derivation.parameters.swap(0, 1);
-        assert!(prove(&entry, &program).is_err(), "{}", entry.model.name);
+    for (model, mut essentials, program) in programs() {
+        essentials.parameters.swap(0, 1);
+        assert!(prove(&essentials, &program).is_err(), "{}", model.name);
     }
 }

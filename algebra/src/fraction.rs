@@ -356,8 +356,10 @@ fn insert(factors: &mut Vec<(Poly, u32)>, factor: Poly, exponent: u32) {
         return;
     }
     // The order decides how a denominator prints: short factors first, then as text.
-    let key = |poly: &Poly| (poly.terms().len(), poly.to_string());
-    let place = factors.partition_point(|(other, _)| key(other) < key(&factor));
+    let order = |a: &Poly, b: &Poly| {
+        a.terms().len().cmp(&b.terms().len()).then_with(|| a.to_string().cmp(&b.to_string()))
+    };
+    let place = factors.partition_point(|(other, _)| order(other, &factor).is_lt());
     factors.insert(place, (factor, exponent));
 }
 

@@ -8,7 +8,7 @@
 //! | numbers | [`Int`], [`Rational`], [`Enclosure`]; [`NumberField`]: towers of square roots; [`Complex`]; [`cos_pi`] |
 //! | polynomials | [`Poly`] over a [`Ring`]: arithmetic, exact division, gcd, [`Squarefree`], [`SquareSplit`], resultant |
 //! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
-//! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors |
+//! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`Integral`] |
 //! | curves | [`Vector`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
 //! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], offset, [`SingularLocus`], [`ControlNet`] |
 //!
@@ -45,6 +45,7 @@
 pub mod budget;
 mod fraction;
 mod geometry;
+mod integral;
 mod modular;
 mod number;
 mod operators;
@@ -54,10 +55,12 @@ mod surface;
 
 pub use fraction::Fraction;
 pub use geometry::calculus::Calculus;
-pub use geometry::curve::{Curve, CurveError, KnownProperties, moving_frame_curve, rational_root};
+pub use geometry::curve::{Curve, KnownProperties, moving_frame_curve, rational_root};
+pub use geometry::curve_error::CurveError;
 pub use geometry::hermite::{Hermite, HermiteDatum, HermiteError, HermiteSolution};
 pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
 pub use geometry::vector::Vector;
+pub use integral::Integral;
 pub use number::algebraic::minimize_field;
 pub use number::complex::Complex;
 pub use number::enclosure::Enclosure;
@@ -74,10 +77,15 @@ pub use real::positivity::BoxSign;
 pub use real::roots::RealRoot;
 pub use real::subdivision::Point;
 pub use real::zeros::{EdgeZeros, ZeroCurve, ZeroSet};
+pub use surface::common_zero::CommonZero;
+pub use surface::conditions::{Conditions, common_factors, falling_degree};
 pub use surface::control_net::ControlNet;
 pub use surface::degree::Bidegree;
 pub use surface::derivation::{Derivation, Offset};
+pub use surface::essentials::Essentials;
 pub use surface::homogeneous::Homogeneous;
+pub use surface::locus::Locus;
 pub use surface::normal::Normal;
 pub use surface::singular::SingularLocus;
-pub use surface::swept::{OffsetError, ParametricSpeed, SweptSurface};
+pub use surface::squared_length::SquaredLength;
+pub use surface::swept::{OffsetError, ParametricSpeed, RadicalSurface, SweptSurface};

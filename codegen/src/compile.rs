@@ -7,11 +7,11 @@
 use std::fmt;
 
 use hodograph_algebra::budget::{self, Exhausted};
-use hodograph_algebra::{BoxSign, Derivation, OffsetError, Poly, Rational, Variable};
+use hodograph_algebra::{BoxSign, ControlNet, Derivation, Essentials, OffsetError, Poly, Rational, Variable};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::{self, Artifact};
+use crate::emit::{self, Artifact, Setting};
 use crate::language::ast::{ExprKind, File, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 use crate::meaning::{Model, models};
@@ -75,32 +75,55 @@ pub fn derive(model: &Model) -> Result<Derivation, CompileError> {
 /// [`CompileError::Schedule`], and [`CompileError::Mismatch`] if the proof fails.
 pub fn exact_program(
     model: &Model,
-    derivation: &Derivation,
+    derivation: &Essentials,
 ) -> Result<crate::program::Program<Poly>, CompileError> {
     let parameters = derivation.parameters.each_ref();
-    let length = derivation.normal.length(&derivation.parameters, &derivation.domain);
+    // The sign of a root that depends on symbols is not known; a family takes the root of |N|² instead.
+    let normal = derivation.normal.as_ref();
+    let length = normal
+        .filter(|_| derivation.symbols.is_empty())
+        .and_then(|normal| normal.length(&derivation.parameters, &derivation.domain));
     let known = known_polynomials(model, &derivation.parameters);
     let domain = derivation
         .domain
         .each_ref()
         .map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
     let length = length.filter(|length| positive(length, derivation));
+    let conditions = conditions(model, derivation);
     let derived = Derived {
         parameters,
         homogeneous: derivation.homogeneous.coordinates(),
-        normal: derivation.normal.numerator(),
+        normal: normal.map(hodograph_algebra::Normal::numerator),
         normal_root: length.as_ref(),
         singular: derivation.orientation.as_ref(),
         known: &known,
         domain: &domain,
+        conditions: &conditions,
     };
     let program = schedule::schedule(&derived).map_err(CompileError::Schedule)?;
     schedule::check(&program, &derived).map_err(CompileError::Mismatch)?;
     Ok(program)
 }
 
+/// What the symbols' values must make positive on the domain, so that the curves' parametric speeds are what the formulas
+/// take them for.
+fn conditions(model: &Model, derivation: &Essentials) -> Vec<Poly> {
+    let mut conditions: Vec<Poly> = Vec::new();
+    for (_, curve) in model.curves() {
+        let condition = curve.speed_condition().filter(|poly| {
+            let parameters = derivation.parameters.iter().filter(|parameter| poly.contains(parameter));
+            let known = |variable: &Variable| {
+                derivation.symbols.contains(variable) || derivation.parameters.contains(variable)
+            };
+            parameters.count() <= 1 && poly.occurring_variables().iter().all(known)
+        });
+        conditions.extend(condition.filter(|poly| !conditions.contains(poly)).cloned());
+    }
+    conditions
+}
+
 /// Whether a polynomial is certified to be positive on the domain.
-fn positive(poly: &Poly, derivation: &Derivation) -> bool {
+fn positive(poly: &Poly, derivation: &Essentials) -> bool {
     let parameters = derivation.parameters.iter().cloned();
     let domain: Vec<_> = parameters.zip(derivation.domain.iter().cloned()).collect();
     matches!(poly.sign_on(&domain), Some(BoxSign::Positive))
@@ -132,26 +155,32 @@ pub fn compile(model: &Model) -> Result<Artifact, CompileError> {
 }
 
 fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
-    let derivation = derive(model)?;
+    let surface = model.surface.as_ref().ok_or(CompileError::NoSurface)?;
+    let derivation = surface.essentials().map_err(CompileError::Degenerate)?;
     let exact = exact_program(model, &derivation)?;
     let program = round::round(&exact).map_err(CompileError::Round)?;
     let nearest = |number: &Poly| round::nearest(number).map_err(CompileError::Round);
+    let symbols = symbols(model, &derivation);
     let mut control_net = Vec::new();
-    for point in derivation.control_net.points.iter().flatten() {
-        let [w, x, y, z] = point;
-        control_net.push([nearest(w)?, nearest(x)?, nearest(y)?, nearest(z)?]);
+    if symbols.is_empty() {
+        let net = ControlNet::of(&derivation.homogeneous, &derivation.domain);
+        for point in net.points.iter().flatten() {
+            let [w, x, y, z] = point;
+            control_net.push([nearest(w)?, nearest(x)?, nearest(y)?, nearest(z)?]);
+        }
     }
     let [u, v] = &derivation.domain;
-    let [m, n] = derivation.control_net.degree;
+    let degree = derivation.homogeneous.degree();
     Ok(Artifact {
         name: model.name.clone(),
         documentation: model.docs.clone(),
         formula: model.formula.join("\n"),
         source: model.source.clone(),
         coordinate_degrees: derivation.homogeneous.degrees().map(|degree| (degree.u, degree.v)),
-        degree: (m, n),
+        degree: (degree.u.max(0) as u32, degree.v.max(0) as u32),
         domain: [[nearest(u.lower())?, nearest(u.upper())?], [nearest(v.lower())?, nearest(v.upper())?]],
         control_net,
+        symbols,
         program,
     })
 }
@@ -185,7 +214,7 @@ pub fn expand(file: &File) -> (TokenStream, Diagnostics) {
         check_claims(model, &mut diagnostics);
         match compile(model) {
             Ok(artifact) => tokens.extend(emit::module(&artifact, &quote!(::hodograph))),
-            Err(error) => diagnostics.push(Diagnostic::new(model.span, error.to_string())),
+            Err(error) => diagnostics.push(Diagnostic::new(model.place, error.to_string())),
         }
     }
     (tokens, diagnostics)
@@ -196,7 +225,7 @@ fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {
     for claim in &model.claims {
         let degree = concerns_degree(claim.relation.kind());
         let limit = if degree { budget::DEFAULT_LIMIT } else { left };
-        let (judgement, spent) = budget::measured(|| model.check(claim, limit));
+        let (judgement, spent) = budget::measured(|| model.check_verdict(claim, limit));
         if !degree {
             left = left.saturating_sub(spent);
         }
@@ -235,12 +264,15 @@ fn concerns_degree(relation: &ExprKind) -> bool {
 /// The polynomials that the paper has names for: speed, position, hodograph and preimage of the curves.
 fn known_polynomials(model: &Model, parameters: &[Variable; 2]) -> Vec<(String, Poly)> {
     let mut known: Vec<(String, Poly)> = Vec::new();
+    let symbols = model.surface.as_ref().map(|surface| surface.symbols()).unwrap_or_default();
     for (index, (name, curve)) in model.curves().into_iter().enumerate() {
         let prefix = if index == 0 { String::new() } else { format!("{name}_") };
         let mut add = |name: &str, poly: Option<Poly>| {
             let usable = poly.filter(|poly| {
                 let occurring = poly.occurring_variables();
-                !occurring.is_empty() && occurring.iter().all(|variable| parameters.contains(variable))
+                let own = occurring.iter().filter(|variable| parameters.contains(variable)).count();
+                let known = |variable| parameters.contains(variable) || symbols.contains(variable);
+                own == 1 && occurring.iter().all(known)
             });
             known.extend(usable.map(|poly| (format!("{prefix}{name}"), poly)));
         };
@@ -255,9 +287,31 @@ fn known_polynomials(model: &Model, parameters: &[Variable; 2]) -> Vec<(String, 
         {
             add(letter, position.to_poly());
             add(&format!("{letter}_prime"), derivative.to_poly());
+            if position.to_poly().is_none() {
+                add(&format!("{letter}_numerator"), Some(position.numerator().clone()));
+            }
+        }
+        if !symbols.is_empty() {
+            add("arclength", curve.arclength().ok().and_then(|arclength| arclength.to_poly()));
         }
     }
     known
+}
+
+/// The symbols of a family in the order in which they are set: first the curves' coefficients, then the others.
+fn symbols(model: &Model, derivation: &Essentials) -> Vec<Setting> {
+    let mut left = derivation.symbols.clone();
+    let mut settings = Vec::new();
+    for group in model.coefficient_groups() {
+        if group.rows.iter().flatten().any(|symbol| left.contains(symbol)) {
+            left.retain(|symbol| !group.rows.iter().flatten().any(|other| other == symbol));
+            let name = |symbol: &Variable| symbol.name().to_string();
+            let rows = group.rows.iter().map(|row| row.iter().map(name).collect()).collect();
+            settings.push(Setting::Curve { name: group.curve.clone(), kind: group.kind, rows });
+        }
+    }
+    settings.extend(left.iter().map(|symbol| Setting::Number(symbol.name().to_string())));
+    settings
 }
 
 /// A rational next to a number, to choose a form of evaluation by.

@@ -196,6 +196,9 @@ fn functions_of_polynomials() {
             ("f(c, v)", "u^6*v + u^3"),
             ("gcd(u^2 - 1, u^2 + 2*u + 1)", "u + 1"),
             ("gcd(a*u, a*v)", "a"),
+            ("resultant(u^2 - a, u*v - 1, parameter = u)", "1 - a*v^2"),
+            ("resultant(u^2 + 1, u^2 + v^2, parameter = u)", "(v^2 - 1)^2"),
+            ("resultant(u^2 + 1, (u^2 + 1)*v, parameter = u)", "0"),
             ("sqrt(4*(1 + u)^2)", "2 + 2*u"),
             ("sqrt((u - 2)^2)", "2 - u"),
             ("sqrt(2*(u + v)^2/(1 + v)^4)", "sqrt(2)*(u + v)/(1 + v)^2"),
@@ -389,6 +392,17 @@ fn conditions_set_symbols() {
     assert_eq!(judgements[0].condition.as_deref(), Some("c == 2"));
     assert_eq!(judgements[1].verdict, Verdict::Refuted);
     assert_eq!(judgements[1].derived, "the left side is c^2");
+    // Also in the rules for derivatives, and the arc length stays the same symbol.
+    let claims = [
+        "s.speed == 1, when c == 1",
+        "diff(s, v) == s.tangent, when c == 1",
+        "diff(length, v) == 1, when c == 1",
+        "s.arclength == length, when c == 1",
+        "s.curvature == kappa, when c == 1",
+    ];
+    let definitions =
+        "symbol c; function kappa(v); curve s(v) = regular_curve(c, kappa); let length = s.arclength;";
+    proved(definitions, &claims);
 }
 
 #[test]
@@ -483,12 +497,18 @@ fn type_mistakes_are_told_in_terms_of_geometry() {
         ("parallel((1, 2, 3, 4), i)", "t:3:24: 4 components are compared with 3"),
         ("degree(c, parameter = v) == (1, 1)", "t:3:43: a degree is compared with an integer"),
         ("degree(c) == (1, 1)", "t:3:15: a bidegree needs two parameters"),
+        ("resultant(v, c) == 1", "t:3:15: `resultant` takes two polynomials and the parameter to eliminate"),
+        ("resultant(v, c, parameter = c) == 1", "t:3:43: `c` is not a parameter"),
+        (
+            "resultant(1/v, c, parameter = v) == 1",
+            "t:3:25: this must be a polynomial, but it has the denominator v",
+        ),
         ("homogeneous(s).Q == 1", "t:3:30: a list of homogeneous coordinates has no member `Q`"),
         ("1 + positive(c) == 1", "t:3:19: `positive` is a relation and has no value"),
         ("dot == 1", "t:3:15: `dot` is a function and needs arguments"),
         ("ph(3) == 1", "t:3:15: `ph` makes a curve"),
-        ("1 == 1, when v == 2", "t:3:28: `v` is not a symbol"),
-        ("1 == 1, when c < 2", "t:3:28: a condition must set a symbol"),
+        ("1 == 1, when v == 2", "t:3:28: a condition is about symbols, which do not depend on parameters"),
+        ("1 == 1, when c*c == 2", "t:3:28: this equation cannot be solved for a symbol"),
         ("sqrt(c^2) == c", "t:3:20: this square root is the absolute value of c"),
         ("positive(w - 1)", "t:3:24: `w` is not defined"),
     ];
@@ -575,7 +595,7 @@ fn curves_without_a_property() {
         (
             "curve s(v) = (3*v, 4*v, 12*v);",
             "s.normal",
-            "t:3:14: the curve lies in none of the coordinate planes",
+            "t:3:14: the curve is a straight line that is parallel to no coordinate plane, so that no plane determines",
         ),
         (
             "curve s(v) = (3*v, 4*v);",
@@ -586,7 +606,7 @@ fn curves_without_a_property() {
         (
             "domain v in -1..1; curve s(v) = (v^2/2 - v^4/4, 2*v^3/3);",
             "s.speed",
-            "t:3:14: the parametric speed is not rational on this domain: its factor v^3 + v changes its sign there",
+            "t:3:14: the parametric speed is not rational on this domain: its factor v changes its sign there",
         ),
     ];
     for (curve, value, expected) in table {
@@ -610,17 +630,58 @@ fn speeds_are_absolute_values() {
     let half = |domain: &str| format!("domain v in {domain}; path s(v) = (v^2/2 - v^4/4, 2*v^3/3);");
     equal(&half("0..1"), &[("s.speed", "v + v^3"), ("s.length", "3/4")]);
     equal(&half("-1..0"), &[("s.speed", "-v - v^3"), ("s.length", "3/4")]);
+    // Also where the curve is given by its hodograph.
+    equal(
+        "domain v in 0..1; curve g(v) = curve_from_hodograph((v - 2)*(3, 4));",
+        &[("g.speed", "10 - 5*v"), ("diff(g.arclength, v)", "10 - 5*v")],
+    );
     // The sign of an unknown is taken to be positive, and said so.
     let text =
         "lemma t { symbol c; path s(v) = (c*v, 0); claim \"id\": s.speed == c; claim \"id\": s.x == c*v; }";
     let judgements = judge(text).expect("no mistakes");
     assert_eq!(judgements[0].verdict, Verdict::Proved);
     assert_eq!(judgements[0].condition.as_deref(), Some("c > 0"));
-    // An integral of a rational function may be rational or not; only those of polynomials are known.
+    // The integral of this one is twice an arctangent.
     let circle = "lemma t { curve s(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2)); claim \"id\": is_rational(s.arclength); }";
     let judgements = judge(circle).expect("no mistakes");
-    assert_eq!(judgements[0].verdict, Verdict::Undecided);
-    assert!(judgements[0].derived.contains("no rational arc length is known"), "{}", judgements[0].derived);
+    assert_eq!(judgements[0].verdict, Verdict::Refuted);
+    assert!(judgements[0].derived.contains("the arc length is not rational"), "{}", judgements[0].derived);
+}
+
+#[test]
+fn homogeneous_coordinates_are_names_of_every_sweep() {
+    let sweep =
+        |clause: &str| format!("sweep t {{ {clause} surface R = u*i + v*j; domain u in 0..1, v in 0..1; }}");
+    mistake(&sweep("let W = 1;"), "t:1:15: `W` is a homogeneous coordinate of the surface");
+    mistake(&sweep("symbol c, X;"), "t:1:21: `X` is a homogeneous coordinate of the surface");
+    mistake(&sweep("path Z(v) = (v, v);"), "t:1:16: `Z` is a homogeneous coordinate of the surface");
+    let parameter = "sweep t { surface R(W, v) = W*i + v*j; domain W in 0..1, v in 0..1; }";
+    mistake(parameter, "t:1:21: `W` is a homogeneous coordinate of the surface, so it cannot be a parameter");
+    // A lemma has no surface.
+    proved("symbol W;", &["W == W"]);
+}
+
+#[test]
+fn pi_stands_in_angles_only() {
+    for claim in [
+        "pi == 3",
+        "pi == pi",
+        "pi > 3",
+        "parallel((pi, 1), (1, pi))",
+        "is_rational(pi)",
+        "degree(pi*u) == (1, 0)",
+    ] {
+        let text = format!("lemma t {{ domain u in 0..1, v in 0..1;\n claim \"id\": {claim};\n}}");
+        mistake(&text, "t:2:14: pi is not algebraic, so it can only stand in angles");
+    }
+    proved("let angle = pi/3;", &["cos(angle) == 1/2", "cos(2*angle) == -1/2"]);
+}
+
+#[test]
+fn numbers_have_a_limit() {
+    let text = |digits: usize| format!("lemma t {{ claim \"id\": {} > 1; }}", "9".repeat(digits));
+    assert_eq!(judge(&text(4096)).unwrap()[0].verdict, Verdict::Proved);
+    mistake(&text(4097), "t:1:23: the number 999999");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The catalogue: a module for each sweep, expanded from its formula in `formulas/` at build time.
 //!
-//! Files with claims alone, and sweeps with symbolic constants, which no evaluator can know, are for `hodograph verify`.
+//! A sweep whose coefficients are all numbers is a unit type. One with symbolic constants is a family: its members are made at
+//! run time, from preimages, Hermite data, control points and numbers, and checked then. Files with claims alone are for
+//! `hodograph verify`.
 
 use hodograph_macros::sweep;
 
@@ -11,8 +13,21 @@ sweep!(file = "formulas/oriented_translation_example_2.sweep");
 sweep!(file = "formulas/offset_translation_example_3.sweep");
 sweep!(file = "formulas/offset_translation_example_3_square.sweep");
 sweep!(file = "formulas/offset_translation_example_3_negative_square.sweep");
+sweep!(file = "formulas/oriented_involute_example_4.sweep");
+sweep!(file = "formulas/evolute_sweep.sweep");
+sweep!(file = "formulas/generalized_conical_example_5.sweep");
+sweep!(file = "formulas/generalized_conical_quadratic.sweep");
 
-/// All surfaces of the catalogue, in a fixed order: that of the examples in their papers.
+sweep!(file = "formulas/scaled_rotation_family.sweep");
+sweep!(file = "formulas/oriented_translation_family.sweep");
+sweep!(file = "formulas/oriented_translation_of_profiles.sweep");
+sweep!(file = "formulas/offset_translation_family.sweep");
+sweep!(file = "formulas/oriented_involute_family.sweep");
+sweep!(file = "formulas/evolute_sweep_family.sweep");
+sweep!(file = "formulas/generalized_conical_family.sweep");
+sweep!(file = "formulas/generalized_conical_quadratic_family.sweep");
+
+/// All surfaces of the catalogue, in a fixed order: that of their papers. Families are not among them.
 ///
 /// ```
 /// let surfaces = hodograph::catalogue::all();
@@ -28,5 +43,9 @@ pub fn all() -> &'static [&'static dyn Surface] {
         &offset_translation_example_3::OffsetTranslationExample3,
         &offset_translation_example_3_square::OffsetTranslationExample3Square,
         &offset_translation_example_3_negative_square::OffsetTranslationExample3NegativeSquare,
+        &oriented_involute_example_4::OrientedInvoluteExample4,
+        &evolute_sweep::EvoluteSweep,
+        &generalized_conical_example_5::GeneralizedConicalExample5,
+        &generalized_conical_quadratic::GeneralizedConicalQuadratic,
     ]
 }

@@ -29,6 +29,29 @@ pub fn sqrt(_: f64) -> f64 {
     compile_error!("`hodograph` needs square roots: enable its feature `std` (the default) or `libm`")
 }
 
+/// The angle of the vector (x, y) in radians, from −π to π.
+#[cfg(feature = "std")]
+#[inline]
+#[must_use]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    y.atan2(x)
+}
+
+/// The angle of the vector (x, y) in radians, from −π to π.
+#[cfg(all(feature = "libm", not(feature = "std")))]
+#[inline]
+#[must_use]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// The angle that neither feature provides.
+#[cfg(not(any(feature = "std", feature = "libm")))]
+#[must_use]
+pub fn atan2(_: f64, _: f64) -> f64 {
+    f64::NAN
+}
+
 #[cfg(test)]
 mod tests {
     #[test]

@@ -14,14 +14,18 @@
 #[allow(unused_extern_crates)]
 extern crate self as hodograph;
 
+pub mod bernstein;
 pub mod catalogue;
+pub mod family;
 pub mod float;
 pub mod grid;
+pub mod ph;
 mod regularity;
 #[cfg(feature = "sources")]
 mod sources;
 mod surface;
 
+pub use family::ParameterError;
 pub use grid::GridError;
 pub use hodograph_macros::sweep;
 pub use regularity::Regularity;

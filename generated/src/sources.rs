@@ -25,11 +25,13 @@ pub const fn sources() -> &'static [Source] {
 ///
 /// ```
 /// let names: Vec<&str> = hodograph::runtime().iter().map(|source| source.name).collect();
-/// assert_eq!(names, ["grid", "regularity", "surface"]);
+/// assert_eq!(names, ["bernstein", "family", "grid", "regularity", "surface"]);
 /// ```
 #[must_use]
 pub const fn runtime() -> &'static [Source] {
     &[
+        Source { name: "bernstein", text: include_str!("bernstein.rs") },
+        Source { name: "family", text: include_str!("family.rs") },
         Source { name: "grid", text: include_str!("grid.rs") },
         Source { name: "regularity", text: include_str!("regularity.rs") },
         Source { name: "surface", text: include_str!("surface.rs") },
@@ -49,11 +51,29 @@ const SOURCES: &[Source] = formulas![
     "offset_translation_example_3",
     "offset_translation_example_3_square",
     "offset_translation_example_3_negative_square",
+    "oriented_involute_example_4",
+    "evolute_sweep",
+    "generalized_conical_example_5",
+    "generalized_conical_quadratic",
+    "scaled_rotation_family",
+    "oriented_translation_family",
+    "oriented_translation_of_profiles",
+    "offset_translation_family",
+    "oriented_involute_family",
+    "evolute_sweep_family",
+    "generalized_conical_family",
+    "generalized_conical_quadratic_family",
     "planar_frame",
+    "ph_hodographs",
+    "ph_offsets",
+    "ph_quintic_example_2",
     "scaled_rotation",
     "oriented_translation",
     "offset_translation",
-    "ph_offsets",
-    "ph_quintic_example_2",
+    "oriented_involute",
+    "evolute",
+    "generalized_conical",
+    "generalized_conical_common_factor",
+    "symbolic_normals",
     "bilinear_forms",
 ];

@@ -1,12 +1,14 @@
 //! The catalogue's files with all that is derived from them.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use hodograph_algebra::Derivation;
+use hodograph_algebra::{Derivation, Poly, Rational, SweptSurface, Variable};
 use hodograph_codegen::compile;
 use hodograph_codegen::language::ast::{File, ItemKind};
 use hodograph_codegen::language::{Report, Source, decode, parse_text};
 use hodograph_codegen::meaning::{Model, models};
+use hodograph_codegen::round::exact;
 
 /// A file of formulas, read and understood.
 #[derive(Clone, Debug)]
@@ -74,13 +76,10 @@ fn read(path: &Path) -> Formulas {
 }
 
 impl Formulas {
-    /// Whether the file is expanded to evaluators: it holds sweeps alone, and no symbol occurs in their surfaces. Other
-    /// files are there for their claims.
+    /// Whether the file is expanded to evaluators: it holds sweeps alone. Other files are there for their claims.
     #[must_use]
     pub fn is_expanded(&self) -> bool {
-        let has_numbers =
-            |model: &Model| model.surface.as_ref().is_some_and(|surface| surface.symbols().is_empty());
-        self.models.iter().all(|model| model.kind == ItemKind::Sweep && has_numbers(model))
+        self.models.iter().all(|model| model.kind == ItemKind::Sweep)
     }
 }
 
@@ -90,11 +89,14 @@ pub fn sweeps() -> Vec<Entry> {
     derived(files())
 }
 
-/// The sweeps that have an evaluator.
+/// The sweeps that have an evaluator and no symbols.
 #[must_use]
 pub fn entries() -> Vec<Entry> {
     let mut files = files();
     files.retain(Formulas::is_expanded);
+    for formulas in &mut files {
+        formulas.models.retain(|model| !is_family(model));
+    }
     derived(files)
 }
 
@@ -105,4 +107,44 @@ fn derived(files: Vec<Formulas>) -> Vec<Entry> {
         Entry { model, derivation }
     };
     models.filter(|model| model.kind == ItemKind::Sweep).map(derived).collect()
+}
+
+/// The families of the catalogue: expanded sweeps with symbols in their surfaces.
+#[must_use]
+pub fn families() -> Vec<Model> {
+    let models = files().into_iter().filter(Formulas::is_expanded).flat_map(|formulas| formulas.models);
+    models.filter(is_family).collect()
+}
+
+fn is_family(model: &Model) -> bool {
+    model.surface.as_ref().is_some_and(|surface| !surface.symbols().is_empty())
+}
+
+/// The derivation of a member of a family: its symbols are the very numbers that these floats are. Beside it the number by
+/// which the family's homogeneous coordinates, with these values, are multiples of the member's.
+///
+/// # Panics
+/// If a float is not finite, or the member is no surface.
+#[must_use]
+pub fn member(family: &Model, values: &BTreeMap<&str, f64>) -> (Derivation, Rational) {
+    let surface = family.surface.as_ref().unwrap_or_else(|| panic!("{} has no surface", family.name));
+    let values: BTreeMap<Variable, Rational> = values
+        .iter()
+        .map(|(name, float)| {
+            let number = exact(*float).unwrap_or_else(|| panic!("{name} = {float} is no number"));
+            (Variable::new(Variable::SYMBOL, name), number)
+        })
+        .collect();
+    let fractions =
+        values.iter().map(|(symbol, value)| (symbol.clone(), Poly::constant(value.clone()).into())).collect();
+    let position = surface.position().map(|coordinate| {
+        coordinate.substitute(&fractions).unwrap_or_else(|| panic!("{} divides by zero", family.name))
+    });
+    let member = SweptSurface::new(position, surface.parameters().clone(), surface.domain().clone());
+    let derivation = member.derive().unwrap_or_else(|error| panic!("{}: {error}", family.name));
+    let point: Vec<(&Variable, &Rational)> = values.iter().collect();
+    let [generic, ..] = surface.homogeneous().coordinates();
+    let [own, ..] = derivation.homogeneous.coordinates();
+    let scale = generic.at(&point).exact_div(own).and_then(|quotient| quotient.to_rational());
+    (derivation, scale.unwrap_or_else(|| panic!("{}: the degree is not generic", family.name)))
 }

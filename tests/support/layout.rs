@@ -42,7 +42,10 @@ pub fn text(entry: &Entry) -> String {
         match &speed.root {
             Some(root) if speed.certified => page.fraction(&format!("{name} = "), root),
             Some(root) => page.fraction(&format!("{name} = ± "), root),
-            None => page.fraction(&format!("{name}² = "), &speed.squared),
+            None => match speed.squared() {
+                Some(squared) => page.fraction(&format!("{name}² = "), &squared),
+                None => page.fraction(&format!("{name} = |N| · "), &speed.factor),
+            },
         }
     }
     page.heading("Singular points on the domain");
@@ -101,11 +104,15 @@ fn normal(page: &mut Page<'_>, derivation: &Derivation) {
         page.polynomial(&format!("{name} = "), component);
     }
     page.heading("|N|² = unit · root² · odd");
-    page.polynomial("unit = ", &normal.split().unit);
-    page.polynomial("root = ", &normal.split().root);
-    page.polynomial("odd = ", &normal.split().odd);
-    if !normal.radicand().is_one() {
-        page.polynomial("further factor in the symbols = ", normal.radicand());
+    let squared = normal.squared_length();
+    for (symbol, value) in squared.member() {
+        page.line(&format!("where {symbol} = {value}"));
+    }
+    page.polynomial("unit = ", &squared.split().unit);
+    page.polynomial("root = ", &squared.split().root);
+    page.polynomial("odd = ", &squared.split().odd);
+    if !squared.radicand().is_one() {
+        page.polynomial("further factor in the symbols = ", squared.radicand());
     }
 }
 
@@ -120,7 +127,7 @@ fn offset(page: &mut Page<'_>, derivation: &Derivation) {
             page.line(&format!("{:<16}{}", "patch", surface.degree()));
             coordinates(page, surface);
         }
-        Offset::SymbolicRadical { radicand } => {
+        Offset::SymbolicRadical { radicand, .. } => {
             page.polynomial("rational, over the square root of ", radicand)
         }
         Offset::Irrational { odd } => page.polynomial("not rational: |N|² has the odd factor ", odd),

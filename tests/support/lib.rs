@@ -6,6 +6,7 @@ pub mod catalogue;
 pub mod digest;
 pub mod fixed;
 pub mod layout;
+pub mod measure;
 pub mod oracle;
 pub mod precision;
 pub mod random;

@@ -69,10 +69,11 @@ pub fn allowance(quantity: Quantity) -> f64 {
         Quantity::Homogeneous => 8.0,
         // Two polynomials of degree 5 or less, two quotients by the speed and by the profile's weight, a product, a sum.
         Quantity::Point => 6.0,
-        // Squares of the profile's weight and of the speed in the denominators double the relative error of these.
-        Quantity::PartialU | Quantity::PartialV => 8.0,
+        // Squares of the profile's weight and of the speed in the denominators double the relative error of these; along an
+        // involute the derivative is a product with the arc length besides.
+        Quantity::PartialU | Quantity::PartialV => 16.0,
         // The derivative's errors; the square root halves that of the sum of squares.
-        Quantity::SpeedU | Quantity::SpeedV => 8.0,
+        Quantity::SpeedU | Quantity::SpeedV => 16.0,
         // Products of rational functions of u and of v, or a direction divided by its length.
         Quantity::UnitNormal => 6.0,
         // The errors of the point and of the normal, relative to the sum of both, and two roundings.
@@ -80,4 +81,10 @@ pub fn allowance(quantity: Quantity) -> f64 {
         // Convex combinations alone: as many roundings as degrees, but each of a part of the sum.
         Quantity::ControlNet => 6.0,
     }
+}
+
+/// The same for members of families: their coefficients are computed from the parameters with rounding errors of their own.
+#[must_use]
+pub fn family_allowance(quantity: Quantity) -> f64 {
+    2.0 * allowance(quantity)
 }

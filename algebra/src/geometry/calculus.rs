@@ -58,6 +58,16 @@ impl Calculus {
         Poly::variable(&symbol)
     }
 
+    /// The same rules with scalars in place of symbols; `None` where a denominator vanishes.
+    #[must_use]
+    pub fn specialized(&self, values: &BTreeMap<Variable, Fraction>) -> Option<Calculus> {
+        let rule = |(symbol, (parameter, derivative)): (&Variable, &(Variable, Fraction))| {
+            Some((symbol.clone(), (parameter.clone(), derivative.substitute(values)?)))
+        };
+        let rules = self.rules.iter().map(rule).collect::<Option<_>>()?;
+        Some(Calculus { rules, beyond: self.beyond.clone() })
+    }
+
     /// Whether `variable` stands for a function, or for a derivative of one.
     #[must_use]
     pub fn is_function(&self, variable: &Variable) -> bool {

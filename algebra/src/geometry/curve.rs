@@ -1,9 +1,13 @@
 //! Rational curves, and what their parametric speed makes of them.
 
-use std::fmt;
+use std::cell::OnceCell;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::calculus::Calculus;
+use super::curve_error::CurveError;
+use super::plane;
 use super::sample::sample_sign;
 use super::vector::Vector;
 use num_traits::Signed;
@@ -15,9 +19,10 @@ use crate::{BoxSign, Fraction, Interval, Poly, Rational, Term, Variable, ratio};
 /// Any curve whose parametric speed is a rational function offers its unit tangent and normal, curvature, offsets,
 /// involute and evolute; whether it is one is decided by a perfect-square test on `|s'|²`, however the curve was made.
 ///
-/// Planar curves lie in a coordinate plane; `e` is the unit vector of the third axis (**k** for the xy-plane, **j** for
-/// the xz-plane, **i** for the yz-plane). The normal is `n = t × e` (FN (3)): it points to the right of the tangent, away
-/// from the center of curvature where the curvature is positive.
+/// A planar curve may lie in any plane; `e` is the unit vector orthogonal to it whose last component other than zero is
+/// positive: **k** for the xy-plane, **j** for the xz-plane, **i** for the yz-plane. The normal is `n = t × e` (FN (3)):
+/// seen from the tip of `e` it points to the right of the tangent, away from the center of curvature where the curvature
+/// is positive.
 ///
 /// # Example
 /// A PH cubic with the preimage `w = 1 + I·v` (FN (7)):
@@ -42,68 +47,13 @@ pub struct Curve {
     speed: Result<Fraction, CurveError>,
     /// What must be positive for the speed to be that, where symbols decide it.
     speed_condition: Option<Poly>,
-    arclength: Option<Fraction>,
     preimage: Option<[Poly; 2]>,
+    known_arclength: Option<Fraction>,
     domain: Option<Interval>,
     calculus: Rc<Calculus>,
+    axis: OnceCell<Result<Vector, CurveError>>,
+    arclength: OnceCell<Result<Fraction, CurveError>>,
 }
-
-/// Why a curve does not have a property.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum CurveError {
-    /// The curve is a point: its derivative is zero.
-    Point,
-    /// `|s'|²` is not the square of a rational function.
-    IrrationalSpeed {
-        /// `|s'|²`.
-        squared: Box<Fraction>,
-        /// The factor of it that is no square; 1 if only the sign is wrong.
-        odd: Box<Poly>,
-    },
-    /// The rational root of `|s'|²` changes its sign on the domain, so its absolute value is not rational.
-    SpeedChangesSign {
-        /// The factor of the root that changes its sign.
-        factor: Box<Poly>,
-    },
-    /// The curve lies in none of the coordinate planes, so it has no planar normal.
-    NotPlanar,
-    /// The integral of the parametric speed is not known to be a rational function.
-    ArcLength {
-        /// The parametric speed.
-        speed: Box<Fraction>,
-    },
-    /// The curvature is zero everywhere: a straight line has no evolute.
-    Straight,
-    /// No domain is stated for the parameter, so that a property at its end is not defined.
-    NoDomain,
-}
-
-impl fmt::Display for CurveError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            CurveError::Point => f.write_str("the curve is a single point: its derivative is zero"),
-            CurveError::IrrationalSpeed { squared, odd } => {
-                write!(f, "the parametric speed is not rational: |s'|^2 = {squared}")?;
-                if odd.is_one() { Ok(()) } else { write!(f, ", in which {odd} is not a square") }
-            }
-            CurveError::SpeedChangesSign { factor } => {
-                write!(
-                    f,
-                    "the parametric speed is not rational on this domain: its factor {factor} changes its sign there"
-                )
-            }
-            CurveError::NotPlanar => f.write_str("the curve lies in none of the coordinate planes"),
-            CurveError::ArcLength { speed } => {
-                write!(f, "no rational arc length is known: the parametric speed {speed} is not a polynomial")
-            }
-            CurveError::Straight => f.write_str("the curvature is zero everywhere, so there is no evolute"),
-            CurveError::NoDomain => f.write_str("no domain is stated for the curve's parameter"),
-        }
-    }
-}
-
-impl std::error::Error for CurveError {}
 
 /// What is known of a curve's parametric speed before it is computed.
 #[derive(Clone, Debug, Default)]
@@ -155,10 +105,12 @@ impl Curve {
             hodograph,
             speed,
             speed_condition,
-            arclength: known.arclength,
             preimage: known.preimage,
+            known_arclength: known.arclength,
             domain,
             calculus,
+            axis: OnceCell::new(),
+            arclength: OnceCell::new(),
         }
     }
 
@@ -178,6 +130,18 @@ impl Curve {
     #[must_use]
     pub fn preimage(&self) -> Option<&[Poly; 2]> {
         self.preimage.as_ref()
+    }
+
+    /// What is known of the curve with scalars in place of symbols; nothing where a denominator vanishes.
+    #[must_use]
+    pub fn known_for(&self, values: &BTreeMap<Variable, Fraction>) -> KnownProperties {
+        let at = |f: &Fraction| f.substitute(values);
+        let poly = |poly: &Poly| at(&poly.clone().into()).and_then(|value| value.to_poly());
+        KnownProperties {
+            speed: self.speed.as_ref().ok().and_then(at),
+            arclength: self.known_arclength.as_ref().and_then(at),
+            preimage: self.preimage.as_ref().and_then(|[a, b]| Some([poly(a)?, poly(b)?])),
+        }
     }
 
     /// The hodograph: the derivative by the parameter.
@@ -213,20 +177,41 @@ impl Curve {
         Ok(self.hodograph.scale(&reciprocal))
     }
 
-    /// The axis orthogonal to the coordinate plane in which the curve lies; the xy-plane comes first.
+    /// The unit vector `e` orthogonal to the plane in which the curve lies: its last component other than zero is positive;
+    /// where symbols decide on that, its first term is. A radical may be adjoined.
+    ///
+    /// A straight line lies in many planes: that coordinate plane counts in which it lies, else one to which it is parallel;
+    /// xy before xz before yz.
     ///
     /// # Errors
-    /// [`CurveError::NotPlanar`].
+    /// [`CurveError::Point`], [`CurveError::NotPlanar`], [`CurveError::Line`], [`CurveError::IrrationalPlane`].
+    ///
+    /// # Example
+    /// ```
+    /// use hodograph_algebra::{Curve, Fraction, KnownProperties, Poly, Variable, Vector, integer};
+    /// let v = Variable::new(1, "v");
+    /// let scaled = |poly: Poly, factor: i64| Fraction::from(poly.scale(&integer(factor)));
+    /// let [t, square] = [1, 2].map(|n| Poly::variable(&v).pow(n));
+    /// let position = Vector::new(scaled(t.clone(), 3), scaled(square, 1), scaled(t, 4));
+    /// let curve = Curve::new(&v, position, None, KnownProperties::default(), Default::default());
+    /// assert_eq!(curve.axis().unwrap().to_string(), "(-4/5, 0, 3/5)");
+    /// ```
     pub fn axis(&self) -> Result<Vector, CurveError> {
-        let [x, y, z] = self.position.components();
-        let axis = [(z, 2), (y, 1), (x, 0)].into_iter().find(|(component, _)| component.is_zero());
-        axis.map(|(_, axis)| Vector::unit(axis)).ok_or(CurveError::NotPlanar)
+        let axis = self.axis.get_or_init(|| {
+            let functions = self.hodograph.components().iter().flat_map(Fraction::occurring_variables);
+            let mut moving = vec![self.parameter.clone()];
+            moving.extend(functions.filter(|variable| self.calculus.is_function(variable)));
+            moving.sort();
+            moving.dedup();
+            plane::axis(&self.position, &self.hodograph, &moving)
+        });
+        axis.clone()
     }
 
     /// The unit normal `n = t × e` (FN (3)).
     ///
     /// # Errors
-    /// As for [`Curve::speed`], and [`CurveError::NotPlanar`].
+    /// As for [`Curve::speed`] and [`Curve::axis`].
     pub fn normal(&self) -> Result<Vector, CurveError> {
         Ok(self.tangent()?.cross(&self.axis()?))
     }
@@ -242,22 +227,70 @@ impl Curve {
         Ok(turning.checked_div(&cube).ok_or(CurveError::Point)?.reduced())
     }
 
-    /// The arc length `∫σ` from the beginning of the domain (FN (6)).
+    /// The arc length `∫σ` from the beginning of the domain (FN (6)), or from 0 to the first pole if there is none; symbols
+    /// have general values (see [`Fraction::integral`]).
     ///
     /// # Errors
-    /// As for [`Curve::speed`], and [`CurveError::ArcLength`] if σ is not a polynomial in the parameter.
+    /// As for [`Curve::speed`]; [`CurveError::ArcLength`] if it is not a rational function, [`CurveError::UnknownArcLength`],
+    /// [`CurveError::Pole`].
+    ///
+    /// # Example
+    /// A straight line in a rational parameter:
+    /// ```
+    /// use hodograph_algebra::{Curve, Fraction, Interval, KnownProperties, Poly, Variable, Vector, integer};
+    /// let v = Variable::new(1, "v");
+    /// let t = Poly::variable(&v);
+    /// let x = Fraction::new(t.pow(2) - Poly::one(), [(t, 1)]);
+    /// let line = Vector::new(x, Fraction::zero(), Fraction::zero());
+    /// let domain = Interval::new(Poly::one(), Poly::integer(3));
+    /// let line = Curve::new(&v, line, domain, KnownProperties::default(), Default::default());
+    /// assert_eq!(line.speed().unwrap().to_string(), "(v^2 + 1)/v^2");
+    /// assert_eq!(line.arclength().unwrap().to_string(), "(v^2 - 1)/v");
+    /// assert_eq!(line.length().unwrap().to_string(), "8/3");
+    /// ```
     pub fn arclength(&self) -> Result<Fraction, CurveError> {
-        if let Some(known) = &self.arclength {
-            return Ok(known.clone());
+        match &self.known_arclength {
+            Some(known) => Ok(known.clone()),
+            None => self.arclength.get_or_init(|| self.integrated_speed()).clone(),
         }
+    }
+
+    fn integrated_speed(&self) -> Result<Fraction, CurveError> {
         let speed = self.speed()?.reduced();
-        if speed.factors().iter().any(|(factor, _)| factor.contains(&self.parameter)) {
-            return Err(CurveError::ArcLength { speed: Box::new(speed) });
+        if speed.occurring_variables().iter().any(|variable| self.calculus.is_function(variable)) {
+            return Err(CurveError::UnknownArcLength { speed: Box::new(speed) });
         }
-        let integral = speed.numerator().integral(&self.parameter);
+        let speed = speed.lowest_terms();
+        if let Some(factor) = self.pole(&speed) {
+            return Err(CurveError::Pole { factor: Box::new(factor) });
+        }
+        let integral = speed.integral(&self.parameter);
+        if !integral.is_rational() {
+            let remainder = Box::new(integral.remainder);
+            return Err(CurveError::ArcLength { speed: Box::new(speed), remainder });
+        }
         let start = self.domain.as_ref().map_or_else(Poly::zero, |domain| domain.lower().clone());
-        let from_start = &integral - integral.substitute(&self.parameter, &start);
-        Ok(Fraction::new(from_start, speed.factors().iter().cloned()))
+        Ok((&integral.rational - &self.at(&integral.rational, start)?).reduced())
+    }
+
+    /// The value of a function of the parameter.
+    fn at(&self, f: &Fraction, value: Poly) -> Result<Fraction, CurveError> {
+        let values = [(self.parameter.clone(), Fraction::from(value))].into();
+        // The denominator of an integral has the zeros of that of the integrand, at which symbols may place a pole.
+        let pole = || CurveError::Pole { factor: Box::new(f.denominator()) };
+        f.substitute(&values).ok_or_else(pole)
+    }
+
+    /// A factor of the denominator that vanishes on the domain, or at 0 where there is none; those with symbols are taken
+    /// not to vanish.
+    fn pole(&self, speed: &Fraction) -> Option<Poly> {
+        let vanishes = |factor: &Poly| match &self.domain {
+            Some(domain) => {
+                factor.real_roots_in(&self.parameter, domain).is_some_and(|roots| !roots.is_empty())
+            }
+            None => factor.substitute(&self.parameter, &Poly::zero()).is_zero(),
+        };
+        speed.factors().iter().map(|(factor, _)| factor).find(|factor| vanishes(factor)).cloned()
     }
 
     /// The total arc length over the domain.
@@ -266,8 +299,7 @@ impl Curve {
     /// As for [`Curve::arclength`], and [`CurveError::NoDomain`].
     pub fn length(&self) -> Result<Fraction, CurveError> {
         let end = self.domain.as_ref().ok_or(CurveError::NoDomain)?.upper().clone();
-        let values = [(self.parameter.clone(), Fraction::from(end))].into();
-        self.arclength()?.substitute(&values).ok_or(CurveError::Point)
+        self.at(&self.arclength()?, end)
     }
 
     /// The involute `c = s − s(v)·t` (FN (24)).
@@ -305,7 +337,8 @@ enum SpeedSign {
     Changes(Poly),
 }
 
-/// The sign of a rational root of `|s'|²`; for `h·|w|²` it is that of `h`.
+/// The sign of a rational root of `|s'|²`, which is positive somewhere; for `h·|w|²` it is that of `h`. Factors whose sign is
+/// known decide on nothing.
 fn speed_sign(
     speed: &Fraction,
     preimage: Option<&[Poly; 2]>,
@@ -315,24 +348,38 @@ fn speed_sign(
     let odd = speed.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
     let signed = odd.fold(speed.numerator().clone(), |product, (factor, _)| product * factor);
     let of_factor = preimage.and_then(|[a, b]| signed.exact_div(&(a * a + b * b)));
-    let signed = of_factor.unwrap_or(signed);
-    if is_sum_of_even_powers(&signed) {
-        return SpeedSign::Nonnegative;
-    }
-    if signed.occurring_variables().iter().any(|variable| variable != parameter) {
-        return SpeedSign::Depends(signed.primitive());
-    }
-    let nonnegative = match domain {
-        Some(domain) => {
-            let sign = signed.sign_on(&[(parameter.clone(), domain.clone())]);
-            matches!(sign, Some(BoxSign::Positive | BoxSign::NonNegative { .. }))
+    let parts = of_factor.unwrap_or(signed).squarefree();
+    let mut open = parts.unit;
+    for (factor, multiplicity) in parts.factors {
+        if multiplicity % 2 == 0 || is_sum_of_even_powers(&factor) {
+            continue;
         }
-        // Without a domain the sign must hold everywhere: no root of odd multiplicity.
-        None => signed
-            .real_roots(parameter)
-            .is_some_and(|roots| roots.iter().all(|root| root.multiplicity() % 2 == 0)),
+        if factor.occurring_variables().iter().any(|variable| variable != parameter) {
+            open *= factor;
+            continue;
+        }
+        match sign_in(&factor, parameter, domain) {
+            Some(Ordering::Less) => open = -open,
+            Some(_) => {}
+            None => return SpeedSign::Changes(factor),
+        }
+    }
+    if open.is_constant() { SpeedSign::Nonnegative } else { SpeedSign::Depends(open.primitive()) }
+}
+
+/// The sign of a polynomial in the parameter on the domain, or everywhere if there is none, where zeros without a change of
+/// sign do not count; `None` if it changes.
+fn sign_in(poly: &Poly, parameter: &Variable, domain: Option<&Interval>) -> Option<Ordering> {
+    let Some(domain) = domain else {
+        let roots = poly.real_roots(parameter)?;
+        let changes = roots.iter().any(|root| root.multiplicity() % 2 == 1);
+        return (!changes).then(|| poly.leading_coefficient().sign());
     };
-    if nonnegative { SpeedSign::Nonnegative } else { SpeedSign::Changes(signed.primitive()) }
+    match poly.sign_on(&[(parameter.clone(), domain.clone())])? {
+        BoxSign::Positive | BoxSign::NonNegative { .. } => Some(Ordering::Greater),
+        BoxSign::Negative | BoxSign::NonPositive { .. } => Some(Ordering::Less),
+        _ => None,
+    }
 }
 
 /// Whether all exponents are even and all coefficients positive, so that the polynomial is nowhere negative.

@@ -2,7 +2,9 @@
 
 pub(crate) mod calculus;
 pub(crate) mod curve;
+pub(crate) mod curve_error;
 pub(crate) mod hermite;
+pub(crate) mod plane;
 pub(crate) mod preimage;
 pub(crate) mod rotation;
 pub(crate) mod sample;

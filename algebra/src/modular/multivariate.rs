@@ -39,8 +39,14 @@ impl Layout {
     }
 
     /// The word of a monomial.
+    #[cfg(test)]
     pub(crate) fn pack(&self, exponents: &[u32]) -> u128 {
         exponents.iter().zip(&self.shifts).map(|(&exponent, &shift)| u128::from(exponent) << shift).sum()
+    }
+
+    /// The word of a power of the variable `position`.
+    pub(crate) fn power(&self, position: usize, exponent: u32) -> u128 {
+        u128::from(exponent) << self.shifts[position]
     }
 
     /// The exponent of the variable `position`.
@@ -122,7 +128,7 @@ impl Multivariate {
         self.terms.iter().map(|&(word, _)| layout.exponent(word, position)).max().unwrap_or(0)
     }
 
-    /// The image in F_p[x], x the variable `position`, for the given values of all other variables.
+    /// The image in `F_p[x]`, x the variable `position`, for the given values of all other variables.
     pub(crate) fn univariate_image(
         &self,
         field: &PrimeField,

@@ -53,17 +53,6 @@ impl Splitting {
         Some(Self { field, roots, basis })
     }
 
-    /// The first of `fields` that have such homomorphisms, with them.
-    pub(crate) fn find(
-        fields: &mut impl Iterator<Item = PrimeField>,
-        radicands: &[Radicand],
-    ) -> Option<Self> {
-        fields.find_map(|field| {
-            crate::budget::spend(1000);
-            Self::new(field, radicands)
-        })
-    }
-
     /// The prime field.
     pub(crate) fn field(&self) -> &PrimeField {
         &self.field
@@ -135,7 +124,7 @@ mod tests {
 
     #[test]
     fn images_respect_the_rules_and_come_back() {
-        let splitting = Splitting::find(&mut PrimeField::sequence(), &tower()).unwrap();
+        let splitting = PrimeField::sequence().find_map(|field| Splitting::new(field, &tower())).unwrap();
         let field = splitting.field();
         assert_eq!(splitting.basis().len(), 4);
         // 5 + 7θ − 3√2 + 11√2θ, whose coordinates stand in the order 1, θ, √2, √2θ.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use num_traits::{Signed, Zero};
 
+use super::bracket::Bracket;
 use super::enclosure::Enclosure;
 use super::field::{self, NumberField};
 use crate::poly::{Poly, Ring};
@@ -41,29 +42,19 @@ impl Poly {
             return Enclosure::exact(value);
         }
         assert!(self.is_constant(), "only a number has a value");
-        let target = Rational::new(Int::ONE, Int::ONE.shl(bits));
         let mut working = bits + 32;
         loop {
-            budget::spend(working * self.terms().len() as u64);
-            let enclosure = self.enclose_at(&enclose_generators(self.ring().field(), working), working);
-            if enclosure.width() <= target {
-                return enclosure;
+            let bracket = self.working_bracket(working);
+            if bracket.is_narrow(self.content(), working, bits) {
+                return bracket.times(self.content(), working);
             }
             working *= 2;
         }
     }
 
-    fn enclose_at(&self, generators: &[Enclosure], bits: u64) -> Enclosure {
-        let mut sum = Enclosure::exact(Rational::zero());
-        for term in self.terms() {
-            let mut product = Enclosure::exact(term.coefficient.clone().into());
-            let exponents = self.ring().generator_exponents(term.monomial);
-            for (generator, _) in generators.iter().zip(exponents).filter(|(_, exponent)| *exponent == 1) {
-                product = product.mul(generator).rounded(bits);
-            }
-            sum = sum.add(&product);
-        }
-        sum.scale(self.content())
+    fn working_bracket(&self, bits: u64) -> Bracket {
+        budget::spend(bits * self.terms().len() as u64);
+        self.bracket(bits)
     }
 
     /// The sign of the number.
@@ -77,14 +68,22 @@ impl Poly {
         if self.is_zero() {
             return Ordering::Equal;
         }
-        let mut bits = 32;
-        loop {
-            let enclosure = self.enclosure(bits);
-            if !enclosure.contains_zero() {
-                return if enclosure.lower().is_positive() { Ordering::Greater } else { Ordering::Less };
+        if self.to_rational().is_some() {
+            return self.content().cmp(&Rational::zero());
+        }
+        assert!(self.is_constant(), "only a number has a sign");
+        let mut bits = 64;
+        let primitive = loop {
+            let bracket = self.working_bracket(bits);
+            if bracket.lower.is_positive() {
+                break Ordering::Greater;
+            }
+            if bracket.upper.is_negative() {
+                break Ordering::Less;
             }
             bits *= 2;
-        }
+        };
+        if self.content().is_negative() { primitive.reverse() } else { primitive }
     }
 
     /// Compares two numbers by their real values.
@@ -149,15 +148,6 @@ fn last_generator(poly: &Poly) -> Option<usize> {
     let ring = poly.ring();
     let count = ring.field().generators().len();
     (0..count).rev().find(|&i| poly.terms().iter().any(|term| ring.generator_exponent(term.monomial, i) > 0))
-}
-
-fn enclose_generators(field: &Arc<NumberField>, bits: u64) -> Vec<Enclosure> {
-    let mut enclosures: Vec<Enclosure> = Vec::new();
-    for position in 0..field.generators().len() {
-        let radicand = field.radicand(position).enclose_at(&enclosures, bits);
-        enclosures.push(radicand.sqrt(bits));
-    }
-    enclosures
 }
 
 /// `a` and `b` of `number = a + b·g`, where `g` is the generator at `position`, which is the last one that occurs.

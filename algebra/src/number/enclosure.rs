@@ -32,6 +32,11 @@ impl Enclosure {
         Enclosure { lower, upper }
     }
 
+    /// The interval from `lower` to `upper`, which are known to be in this order.
+    pub(crate) fn ordered(lower: Rational, upper: Rational) -> Enclosure {
+        Enclosure { lower, upper }
+    }
+
     /// The interval that holds `value` alone.
     #[must_use]
     pub fn exact(value: Rational) -> Enclosure {

@@ -1,11 +1,16 @@
 //! Real number fields: towers of square roots.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use num_traits::Signed;
 
 use super::algebraic;
+use super::bracket::{Bracket, GeneratorValues};
+use crate::modular::field::PrimeField;
+use crate::modular::splitting::{Radicand, Splitting};
 use crate::poly::Poly;
+use crate::poly::reduction::Reduction;
 use crate::{Int, budget};
 
 /// The largest number of generators of a field, so that its degree is at most 2¹⁶.
@@ -57,10 +62,25 @@ impl Generator {
 /// assert_eq!(field.degree(), 2);
 /// assert_eq!(field.relation(0).to_string(), "sqrt2^2 - 2");
 /// ```
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct NumberField {
     generators: Vec<Generator>,
+    /// What follows from the generators, when it is first asked for.
+    values: GeneratorValues,
+    reduction: OnceLock<Option<Reduction>>,
+    splittings: Splittings,
 }
+
+/// By prime and positions of generators, the homomorphisms modulo the prime, if it splits.
+type Splittings = Mutex<BTreeMap<(u64, Vec<usize>), Option<Arc<Splitting>>>>;
+
+impl PartialEq for NumberField {
+    fn eq(&self, other: &NumberField) -> bool {
+        self.generators == other.generators
+    }
+}
+
+impl Eq for NumberField {}
 
 /// A relation `g² − radicand = 0` that defines a generator.
 #[derive(Clone, Debug)]
@@ -83,7 +103,7 @@ impl NumberField {
     /// The rationals: no generators.
     #[must_use]
     pub fn rationals() -> Arc<NumberField> {
-        Arc::new(NumberField { generators: Vec::new() })
+        NumberField::with_generators(Vec::new())
     }
 
     /// The generators, each in terms of those before it.
@@ -113,6 +133,49 @@ impl NumberField {
     /// The number of nested square roots in the generator at `position`.
     pub(crate) fn depth(&self, position: usize) -> usize {
         self.generators[position].depth(&self.generators[..position])
+    }
+
+    /// The number `Σ coefficient · Π generators` in fixed point with `bits` bits after the point; the terms name generators
+    /// as a set of positions.
+    pub(crate) fn sum_of_products<'a>(
+        &self,
+        terms: impl IntoIterator<Item = (u64, &'a Int)>,
+        bits: u64,
+    ) -> Bracket {
+        self.values.sum(&self.generators, terms, bits)
+    }
+
+    /// The table by which products of numbers are reduced, if the field is small enough for one.
+    pub(crate) fn reduction(&self) -> Option<&Reduction> {
+        self.reduction.get_or_init(|| Reduction::new(&self.generators)).as_ref()
+    }
+
+    /// The homomorphisms to a prime field from the ring of the generators at `positions`, whose rules in terms of each other are
+    /// `radicands`; `None` if the prime does not split.
+    pub(crate) fn splitting(
+        &self,
+        field: PrimeField,
+        positions: &[usize],
+        radicands: &[Radicand],
+    ) -> Option<Arc<Splitting>> {
+        // Nothing unwinds with the lock.
+        let known = || self.splittings.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = (field.modulus(), positions.to_vec());
+        if let Some(splitting) = known().get(&key) {
+            return splitting.clone();
+        }
+        let splitting = Splitting::new(field, radicands).map(Arc::new);
+        known().insert(key, splitting.clone());
+        splitting
+    }
+
+    fn with_generators(generators: Vec<Generator>) -> Arc<NumberField> {
+        Arc::new(NumberField {
+            generators,
+            values: GeneratorValues::default(),
+            reduction: OnceLock::new(),
+            splittings: Mutex::default(),
+        })
     }
 
     fn is_prefix_of(&self, other: &NumberField) -> bool {
@@ -154,7 +217,7 @@ pub(crate) fn adjoin(field: &Arc<NumberField>, radicand: &Poly) -> Arc<NumberFie
     };
     let mut generators = field.generators.clone();
     generators.push(Generator { name, radicand: terms });
-    Arc::new(NumberField { generators })
+    NumberField::with_generators(generators)
 }
 
 /// A field that holds both: it begins with the generators of `a`. If it begins with those of `b` as well, no images

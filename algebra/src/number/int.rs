@@ -100,13 +100,30 @@ impl Int {
     /// `self · 2^bits`.
     #[must_use]
     pub fn shl(&self, bits: u64) -> Int {
-        (self.to_big() << bits).into()
+        match &self.0 {
+            _ if bits == 0 || self.is_zero() => self.clone(),
+            Small(value) if bits < 64 => (i128::from(*value) << bits).into(),
+            Small(value) => (BigInt::from(*value) << bits).into(),
+            Big(value) => (&**value << bits).into(),
+        }
     }
 
     /// `⌊self / 2^bits⌋`.
     #[must_use]
     pub fn shr(&self, bits: u64) -> Int {
-        (self.to_big() >> bits).into()
+        match &self.0 {
+            Small(value) => Int(Small(value >> bits.min(63))),
+            Big(value) => (&**value >> bits).into(),
+        }
+    }
+
+    /// The exponent of the largest power of two that divides it; `None` for zero.
+    pub(crate) fn trailing_zeros(&self) -> Option<u64> {
+        match &self.0 {
+            Small(0) => None,
+            Small(value) => Some(u64::from(value.trailing_zeros())),
+            Big(value) => value.trailing_zeros(),
+        }
     }
 
     /// Whether the representation is canonical.
@@ -160,10 +177,12 @@ impl From<u64> for Int {
 
 impl From<BigInt> for Int {
     fn from(value: BigInt) -> Int {
-        match value.to_i64() {
-            Some(small) => Int(Small(small)),
-            None => Int(Big(Box::new(value))),
+        if value.bits() <= 64
+            && let Some(small) = value.to_i64()
+        {
+            return Int(Small(small));
         }
+        Int(Big(Box::new(value)))
     }
 }
 
@@ -252,10 +271,13 @@ fn charge(a: &BigInt, b: &BigInt) {
 
 /// One arithmetic operator: words are combined in a type that holds every result, big values by their own operator.
 macro_rules! arithmetic {
-    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $symbol:tt) => {
+    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $checked:ident $symbol:tt) => {
         binary_operator!(Int: $Op $op $OpAssign $op_assign, |a, b| match (&a.0, &b.0) {
-            // The quotient of `i64::MIN` by −1 does not fit a word either.
-            (Small(a), Small(b)) => (i128::from(*a) $symbol i128::from(*b)).into(),
+            (Small(a), Small(b)) => match a.$checked(*b) {
+                Some(result) => Int(Small(result)),
+                // Two words hold the result, except that of a division by zero.
+                None => (i128::from(*a) $symbol i128::from(*b)).into(),
+            },
             (Big(a), Big(b)) => {
                 charge(a, b);
                 (&**a $symbol &**b).into()
@@ -266,11 +288,11 @@ macro_rules! arithmetic {
     };
 }
 
-arithmetic!(Add add AddAssign add_assign +);
-arithmetic!(Sub sub SubAssign sub_assign -);
-arithmetic!(Mul mul MulAssign mul_assign *);
-arithmetic!(Div div DivAssign div_assign /);
-arithmetic!(Rem rem RemAssign rem_assign %);
+arithmetic!(Add add AddAssign add_assign checked_add +);
+arithmetic!(Sub sub SubAssign sub_assign checked_sub -);
+arithmetic!(Mul mul MulAssign mul_assign checked_mul *);
+arithmetic!(Div div DivAssign div_assign checked_div /);
+arithmetic!(Rem rem RemAssign rem_assign checked_rem %);
 
 impl Zero for Int {
     fn zero() -> Int {
@@ -385,11 +407,15 @@ impl Integer for Int {
 
     fn div_rem(&self, other: &Int) -> (Int, Int) {
         match (&self.0, &other.0) {
-            (Small(_), Small(_)) => (self / other, self % other),
-            _ => {
-                let (quotient, remainder) = self.to_big().div_rem(&other.to_big());
+            (Big(a), Big(b)) => {
+                let (quotient, remainder) = (**a).div_rem(&**b);
                 (quotient.into(), remainder.into())
             }
+            (Big(a), Small(b)) => {
+                let (quotient, remainder) = (**a).div_rem(&BigInt::from(*b));
+                (quotient.into(), remainder.into())
+            }
+            (Small(_), _) => (self / other, self % other),
         }
     }
 

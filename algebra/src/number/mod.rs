@@ -1,6 +1,7 @@
 //! Exact numbers.
 
 pub(crate) mod algebraic;
+pub(crate) mod bracket;
 pub(crate) mod complex;
 pub(crate) mod enclosure;
 pub(crate) mod field;

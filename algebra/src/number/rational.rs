@@ -53,8 +53,8 @@ pub fn rational_gcd(a: &Rational, b: &Rational) -> Rational {
     Rational::new_raw(a.numer().gcd(b.numer()), a.denom().lcm(b.denom()))
 }
 
-/// An exact decimal literal, such as `12`, `0.25` or `1.5e-3`; `None` if `text` is not one, or its exponent is beyond
-/// ±[`MAX_DECIMAL_EXPONENT`].
+/// An exact decimal literal, such as `12`, `0.25` or `1.5e-3`; `None` if `text` is not one, or if its exponent is beyond
+/// ±[`MAX_DECIMAL_EXPONENT`] or the number of its digits is.
 ///
 /// ```
 /// use hodograph_algebra::{parse_decimal, ratio};
@@ -72,6 +72,9 @@ pub fn parse_decimal(text: &str) -> Option<Rational> {
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{whole}{fraction}");
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    if digits.len() as u64 > MAX_DECIMAL_EXPONENT {
         return None;
     }
     let digits: Int = digits.parse().ok()?;

@@ -72,8 +72,12 @@ impl Frame {
     /// The next of `fields` with homomorphisms from the number field, with them.
     ///
     /// Leaves the computation if no prime is left.
-    pub(crate) fn splitting(&self, fields: &mut impl Iterator<Item = PrimeField>) -> Splitting {
-        match Splitting::find(fields, &self.radicands) {
+    pub(crate) fn splitting(&self, fields: &mut impl Iterator<Item = PrimeField>) -> Arc<Splitting> {
+        let found = fields.find_map(|field| {
+            budget::spend(1000);
+            self.ring.field().splitting(field, &self.generators, &self.radicands)
+        });
+        match found {
             Some(splitting) => splitting,
             None => budget::refuse("no prime is left"),
         }
@@ -82,16 +86,19 @@ impl Frame {
     /// The primitive part of `poly` in this frame.
     pub(crate) fn terms(&self, poly: &Poly) -> FramedTerms {
         let read = |term: &Term| {
-            let exponents: Vec<u32> =
-                self.positions.iter().map(|&position| self.ring.exponent(term.monomial, position)).collect();
-            let word = self.layout.pack(&exponents);
-            let bits =
-                self.generators.iter().map(|&i| self.ring.generator_exponent(term.monomial, i) as usize);
-            let index = bits.fold(0, |index, bit| 2 * index + bit);
+            let (mut word, mut index) = (0, 0);
+            for (i, &position) in self.positions.iter().enumerate() {
+                word |= self.layout.power(i, self.ring.exponent(term.monomial, position));
+            }
+            for &generator in &self.generators {
+                index = 2 * index + self.ring.generator_exponent(term.monomial, generator) as usize;
+            }
             FramedTerm { word, index, coefficient: term.coefficient.clone() }
         };
         let mut terms: Vec<FramedTerm> = poly.terms().iter().map(read).collect();
-        terms.sort_by_key(|term| std::cmp::Reverse(term.word));
+        if !terms.is_sorted_by(|a, b| a.word >= b.word) {
+            terms.sort_by_key(|term| std::cmp::Reverse(term.word));
+        }
         FramedTerms { terms }
     }
 
@@ -145,19 +152,26 @@ impl FramedTerms {
     /// The images under all homomorphisms of `splitting`.
     pub(crate) fn images(&self, splitting: &Splitting) -> Vec<Multivariate> {
         let residues = self.residues(splitting);
-        (0..splitting.basis().len()).map(|choice| self.combine(splitting, choice, &residues)).collect()
+        (0..splitting.basis().len()).map(|choice| self.image_of(splitting, choice, &residues)).collect()
     }
 
     /// The image under the homomorphism `choice` of `splitting`.
     pub(crate) fn image(&self, splitting: &Splitting, choice: usize) -> Multivariate {
-        self.combine(splitting, choice, &self.residues(splitting))
+        self.image_of(splitting, choice, &self.residues(splitting))
     }
 
-    fn residues(&self, splitting: &Splitting) -> Vec<Residue> {
+    /// The coefficients modulo the prime of `splitting`.
+    pub(crate) fn residues(&self, splitting: &Splitting) -> Vec<Residue> {
         self.terms.iter().map(|term| term.coefficient.modulo(splitting.field())).collect()
     }
 
-    fn combine(&self, splitting: &Splitting, choice: usize, residues: &[Residue]) -> Multivariate {
+    /// The image under the homomorphism `choice` of `splitting`, from the [residues](FramedTerms::residues) of the coefficients.
+    pub(crate) fn image_of(
+        &self,
+        splitting: &Splitting,
+        choice: usize,
+        residues: &[Residue],
+    ) -> Multivariate {
         budget::spend(self.terms.len() as u64);
         let (field, basis) = (splitting.field(), &splitting.basis()[choice]);
         let terms = self.terms.iter().zip(residues);

@@ -7,6 +7,7 @@ pub(crate) mod gcd;
 pub(crate) mod images;
 pub(crate) mod perfect_square;
 pub(crate) mod quotient;
+pub(crate) mod reduction;
 pub(crate) mod resultant;
 pub(crate) mod ring;
 pub(crate) mod squarefree;
@@ -272,8 +273,8 @@ impl Poly {
     /// The same polynomial in the ring `to`, which must have all variables that occur, over a field that begins with
     /// this one.
     pub(crate) fn transfer(&self, to: &Arc<Ring>) -> Poly {
-        if Arc::ptr_eq(&self.ring, to) {
-            return self.clone();
+        if Arc::ptr_eq(&self.ring, to) || self.ring == *to {
+            return Poly { ring: to.clone(), ..self.clone() };
         }
         let positions: Vec<Option<usize>> =
             self.ring.variables().iter().map(|variable| to.position(variable)).collect();
@@ -283,6 +284,18 @@ impl Poly {
         };
         // The order of variables is the same in every ring, so the terms stay sorted.
         Poly { ring: to.clone(), content: self.content.clone(), terms: self.terms.iter().map(term).collect() }
+    }
+
+    /// Whether the same monomials in the variables occur, as far as that is seen without a field for both.
+    fn may_equal(&self, other: &Poly) -> bool {
+        if self.ring.variables() != other.ring.variables() {
+            return true;
+        }
+        let (own, others) = (self.groups(), other.groups());
+        let same = |(&i, &j): (&usize, &usize)| {
+            self.ring.exponents(self.terms[i].monomial) == other.ring.exponents(other.terms[j].monomial)
+        };
+        own.len() == others.len() && own.iter().zip(&others).all(same)
     }
 
     /// Both polynomials in one ring.
@@ -302,8 +315,11 @@ impl Poly {
 
 impl PartialEq for Poly {
     fn eq(&self, other: &Poly) -> bool {
-        if self.ring == other.ring {
+        if Arc::ptr_eq(&self.ring, &other.ring) || self.ring == other.ring {
             return self.content == other.content && self.terms == other.terms;
+        }
+        if !self.may_equal(other) {
+            return false;
         }
         let (a, b) = Poly::unify(self, other);
         a.content == b.content && a.terms == b.terms

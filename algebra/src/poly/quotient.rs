@@ -10,7 +10,6 @@ use super::{Poly, Rational};
 use crate::Int;
 use crate::modular::field::PrimeField;
 use crate::modular::lift::Chinese;
-use crate::modular::multivariate::Multivariate;
 
 /// The quotient of polynomials, if `divisor`, which is not zero, divides.
 ///
@@ -40,14 +39,20 @@ pub(crate) fn modular_quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> 
     let mut known: Chinese<(u128, usize)> = Chinese::new();
     loop {
         let splitting = frame.splitting(&mut fields);
-        let (a_images, b_images) = (a_terms.images(&splitting), b_terms.images(&splitting));
-        if b_images.iter().any(|image| image.leading_word() != b_terms.leading_word()) {
+        let residues = [&a_terms, &b_terms].map(|terms| terms.residues(&splitting));
+        let mut images = Vec::new();
+        // One homomorphism after the other: most divisors that do not divide fail at the first one.
+        for choice in 0..splitting.basis().len() {
+            let a_image = a_terms.image_of(&splitting, choice, &residues[0]);
+            let b_image = b_terms.image_of(&splitting, choice, &residues[1]);
+            if b_image.leading_word() != b_terms.leading_word() {
+                break;
+            }
+            images.push(a_image.quotient(splitting.field(), frame.layout(), &b_image, &bounds)?);
+        }
+        if images.len() < splitting.basis().len() {
             continue;
         }
-        let divide = |(a, b): (&Multivariate, &Multivariate)| {
-            a.quotient(splitting.field(), frame.layout(), b, &bounds)
-        };
-        let images = a_images.iter().zip(&b_images).map(divide).collect::<Option<Vec<Multivariate>>>()?;
         known.absorb(splitting.field(), &splitting.lift_coefficients(&images));
         let build = |values: BTreeMap<(u128, usize), Rational>| {
             let terms = values.into_iter().map(|((word, index), value)| (frame.monomial(word, index), value));

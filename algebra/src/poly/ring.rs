@@ -4,7 +4,6 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
-use crate::Int;
 use crate::budget;
 use crate::number::field::NumberField;
 
@@ -93,8 +92,6 @@ pub struct Ring {
     bits: u32,
     /// The guard bits of all variables.
     guards: u128,
-    /// For each generator the terms of its radicand, in this ring.
-    rules: Vec<Vec<(Monomial, Int)>>,
 }
 
 impl PartialEq for Ring {
@@ -123,16 +120,7 @@ impl Ring {
             ));
         }
         let guards = (0..count).map(|i| 1_u128 << (generator_bits + bits * (i + 1) - 1)).sum();
-        let mut ring = Ring { variables, field: field.clone(), bits, guards, rules: Vec::new() };
-        ring.rules = field
-            .generators()
-            .iter()
-            .map(|generator| {
-                let terms = generator.radicand_terms();
-                terms.map(|(exponents, c)| (ring.monomial_of_generators(&exponents), c)).collect()
-            })
-            .collect();
-        Arc::new(ring)
+        Arc::new(Ring { variables, field, bits, guards })
     }
 
     /// The ring without variables over the rationals.
@@ -170,7 +158,7 @@ impl Ring {
     #[must_use]
     pub fn generator_exponent(&self, monomial: Monomial, position: usize) -> u32 {
         let mask = (1_u128 << GENERATOR_BITS) - 1;
-        low_word(monomial.0 >> self.generator_shift(position) & mask)
+        low_word(monomial.0 >> generator_shift(position) & mask)
     }
 
     /// The largest exponent that a variable can have.
@@ -184,7 +172,7 @@ impl Ring {
     /// Leaves the computation (see [`budget`]) if an exponent is beyond [`Ring::max_exponent`].
     #[must_use]
     pub fn monomial(&self, exponents: &[u32], generators: &[u32]) -> Monomial {
-        let mut word = self.monomial_of_generators(generators).0;
+        let mut word = generator_monomial(generators).0;
         for (position, &exponent) in exponents.iter().enumerate() {
             if exponent > self.max_exponent() {
                 self.refuse_exponent();
@@ -203,7 +191,7 @@ impl Ring {
     /// The exponents of all generators, in their order.
     #[must_use]
     pub fn generator_exponents(&self, monomial: Monomial) -> Vec<u32> {
-        (0..self.rules.len()).map(|position| self.generator_exponent(monomial, position)).collect()
+        (0..self.generator_count()).map(|position| self.generator_exponent(monomial, position)).collect()
     }
 
     /// The part of `monomial` in the variables.
@@ -232,14 +220,9 @@ impl Ring {
         }
     }
 
-    /// The terms of the radicand of the generator at `position`.
-    pub(crate) fn rule(&self, position: usize) -> &[(Monomial, Int)] {
-        &self.rules[position]
-    }
-
     /// The word that holds one power of the generator at `position`.
     pub(crate) fn generator_word(&self, position: usize) -> u128 {
-        1 << self.generator_shift(position)
+        1 << generator_shift(position)
     }
 
     /// The word that holds one power of the variable at `position`.
@@ -250,35 +233,30 @@ impl Ring {
     /// For each variable then each generator, its shift and mask, most significant first.
     pub(crate) fn fields(&self) -> Vec<(u32, u128)> {
         let variables = (0..self.variables.len()).map(|i| (self.shift(i), (1 << self.bits) - 1));
-        let generators = (0..self.rules.len()).map(|i| (self.generator_shift(i), (1 << GENERATOR_BITS) - 1));
+        let generators = (0..self.generator_count()).map(|i| (generator_shift(i), (1 << GENERATOR_BITS) - 1));
         let mut fields: Vec<(u32, u128)> = variables.chain(generators).collect();
         fields.sort_by_key(|&(shift, _)| std::cmp::Reverse(shift));
         fields
     }
 
     pub(crate) fn generator_mask(&self) -> u128 {
-        (1 << (GENERATOR_BITS as usize * self.rule_count())) - 1
+        (1 << (GENERATOR_BITS as usize * self.generator_count())) - 1
     }
 
-    fn rule_count(&self) -> usize {
+    /// The bits that are set where the exponent of a generator exceeds 1.
+    pub(crate) fn generator_squares(&self) -> u128 {
+        // The upper one of each pair of bits.
+        self.generator_mask() / 3 * 2
+    }
+
+    fn generator_count(&self) -> usize {
         self.field.generators().len()
     }
 
     fn shift(&self, position: usize) -> u32 {
         // Positions are below 128/LEAST_BITS.
         let from_last = (self.variables.len() - 1 - position) as u32;
-        GENERATOR_BITS * self.rule_count() as u32 + self.bits * from_last
-    }
-
-    /// The last generator, which may contain all others in its radicand, is the most significant one.
-    fn generator_shift(&self, position: usize) -> u32 {
-        GENERATOR_BITS * position as u32
-    }
-
-    fn monomial_of_generators(&self, exponents: &[u32]) -> Monomial {
-        let place =
-            |(position, &exponent): (usize, &u32)| u128::from(exponent) << self.generator_shift(position);
-        Monomial(exponents.iter().enumerate().map(place).sum())
+        GENERATOR_BITS * self.generator_count() as u32 + self.bits * from_last
     }
 
     fn refuse_exponent(&self) -> ! {
@@ -324,6 +302,18 @@ impl Ring {
         }
         Monomial(word)
     }
+}
+
+/// The last generator, which may contain all others in its radicand, is the most significant one.
+fn generator_shift(position: usize) -> u32 {
+    // Positions are below 64/GENERATOR_BITS.
+    GENERATOR_BITS * position as u32
+}
+
+/// The monomial with the given exponents of generators, which is the same in every ring over a field.
+pub(crate) fn generator_monomial(exponents: &[u32]) -> Monomial {
+    let place = |(position, &exponent): (usize, &u32)| u128::from(exponent) << generator_shift(position);
+    Monomial(exponents.iter().enumerate().map(place).sum())
 }
 
 fn low_word(value: u128) -> u32 {

@@ -1,8 +1,9 @@
-//! Sums and products of sorted lists of terms with integer coefficients, and the rules of the number field.
+//! Sums and products of sorted lists of terms with integer coefficients.
 
 use num_traits::Zero;
 
 use super::Term;
+use super::reduction::reduce;
 use super::ring::{Monomial, Ring};
 use crate::{Int, budget};
 
@@ -64,7 +65,8 @@ impl Accumulator for i128 {
 
     #[inline]
     fn add_product(&mut self, a: &i128, b: &i128) {
-        *self += a * b;
+        // The widths were checked beforehand, so nothing wraps.
+        *self = self.wrapping_add(a.wrapping_mul(*b));
     }
 
     #[inline]
@@ -108,9 +110,7 @@ fn multiply<A: Accumulator>(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
         let (places_x, places_y) = (layout.places(x), layout.places(y));
         let mut cells = vec![A::default(); layout.size];
         for (place, a) in places_x.iter().zip(&a) {
-            for (offset, b) in places_y.iter().zip(&b) {
-                cells[place + offset].add_product(a, b);
-            }
+            add_multiple(&mut cells[*place..], a, &places_y, &b);
         }
         let nonzero = cells.into_iter().enumerate().rev().filter(|(_, cell)| !cell.is_nothing());
         return nonzero
@@ -127,6 +127,20 @@ fn multiply<A: Accumulator>(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
     terms.sort_unstable_by_key(|term| std::cmp::Reverse(term.monomial));
     ring.check_exponents(terms.iter().fold(0, |union, term| union | term.monomial.0));
     terms
+}
+
+/// Adds `factor · values[j]` to the cell at `places[j]` for all j.
+///
+/// This is the innermost loop of most derivations. It counts by itself: iterators are several times slower where nothing
+/// is inlined, as in a macro that is built without optimization.
+fn add_multiple<A: Accumulator>(cells: &mut [A], factor: &A, places: &[usize], values: &[A]) {
+    let count = places.len().min(values.len());
+    let (places, values) = (&places[..count], &values[..count]);
+    let mut j = 0;
+    while j < count {
+        cells[places[j]].add_product(factor, &values[j]);
+        j += 1;
+    }
 }
 
 /// Sums under accumulation by monomial: a hash table with open addressing, which is cheap where many products share few
@@ -245,42 +259,6 @@ impl DenseBox {
 
 fn max_bits(terms: &[Term]) -> u64 {
     terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0)
-}
-
-/// Applies the rules `g² = r` of the number field until no exponent of a generator exceeds 1.
-pub(crate) fn reduce(ring: &Ring, terms: Vec<Term>) -> Vec<Term> {
-    reduce_earlier(ring, terms, ring.field().generators().len())
-}
-
-/// Applies the rules of the first `count` generators.
-fn reduce_earlier(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> {
-    // From the last generator down: its radicand is free of itself and of later ones.
-    for position in (0..count).rev() {
-        if terms.iter().all(|term| ring.generator_exponent(term.monomial, position) < 2) {
-            continue;
-        }
-        // The rule may add 1 to the exponents of all earlier generators, which have no room for more than 3.
-        let full = |term: &Term| (0..position).any(|i| ring.generator_exponent(term.monomial, i) > 2);
-        if terms.iter().any(full) {
-            terms = reduce_earlier(ring, terms, position);
-        }
-        // An exponent is 3 at most, so one application is enough.
-        let word = ring.generator_word(position);
-        let mut expanded = Vec::with_capacity(2 * terms.len());
-        for term in terms {
-            if ring.generator_exponent(term.monomial, position) < 2 {
-                expanded.push(term);
-                continue;
-            }
-            let rest = term.monomial.0 - 2 * word;
-            for (monomial, coefficient) in ring.rule(position) {
-                let coefficient = &term.coefficient * coefficient;
-                expanded.push(Term { monomial: Monomial(rest + monomial.0), coefficient });
-            }
-        }
-        terms = collect(expanded);
-    }
-    terms
 }
 
 /// Sorts terms and adds those of equal monomials.

@@ -63,30 +63,36 @@ impl Bernstein {
     /// Complexity: `O(n)` operations on polynomials for each coefficient, where `n` is the degree.
     #[must_use]
     pub fn new(poly: &Poly, domain: &[(Variable, Interval)]) -> Bernstein {
-        let axis = |(variable, interval): &(Variable, Interval)| Axis {
-            variable: variable.clone(),
-            interval: interval.clone(),
-            degree: poly.degree(variable).unwrap_or(0),
-        };
-        let axes: Vec<Axis> = domain.iter().map(axis).collect();
-        let coefficients = convert(poly, &axes);
-        Bernstein { axes, coefficients }
+        let degrees = domain.iter().map(|(variable, _)| poly.degree(variable).unwrap_or(0));
+        Bernstein::of_degrees(poly, domain, degrees)
     }
 
     /// The form of `poly` over the box `domain`, of the given degree in each variable; `None` if one of the degrees is
     /// missing or below that of the polynomial.
     #[must_use]
     pub fn with_degrees(poly: &Poly, domain: &[(Variable, Interval)], degrees: &[u32]) -> Option<Bernstein> {
-        let mut form = Bernstein::new(poly, domain);
-        let enough = |(axis, &degree): (&Axis, &u32)| axis.degree <= degree;
-        if degrees.len() != form.axes.len() || !form.axes.iter().zip(degrees).all(enough) {
+        let enough = |((variable, _), &degree): (&(Variable, Interval), &u32)| {
+            poly.degree(variable).unwrap_or(0) <= degree
+        };
+        if degrees.len() != domain.len() || !domain.iter().zip(degrees).all(enough) {
             return None;
         }
-        for (axis, &degree) in form.axes.iter_mut().zip(degrees) {
-            axis.degree = degree;
-        }
-        form.coefficients = convert(poly, &form.axes);
-        Some(form)
+        Some(Bernstein::of_degrees(poly, domain, degrees.iter().copied()))
+    }
+
+    fn of_degrees(
+        poly: &Poly,
+        domain: &[(Variable, Interval)],
+        degrees: impl Iterator<Item = u32>,
+    ) -> Bernstein {
+        let axis = |((variable, interval), degree): (&(Variable, Interval), u32)| Axis {
+            variable: variable.clone(),
+            interval: interval.clone(),
+            degree,
+        };
+        let axes: Vec<Axis> = domain.iter().zip(degrees).map(axis).collect();
+        let coefficients = convert(poly, &axes);
+        Bernstein { axes, coefficients }
     }
 
     /// The directions, in the order in which the box was given.

@@ -6,7 +6,7 @@ use super::control_net::ControlNet;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
 use super::singular::SingularLocus;
-use super::swept::{OffsetError, ParametricSpeed, SweptSurface};
+use super::swept::{OffsetError, ParametricSpeed, RadicalSurface, SweptSurface, unused};
 use crate::number::field;
 use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, minimize_field};
 
@@ -72,6 +72,10 @@ pub enum Offset {
     SymbolicRadical {
         /// The polynomial in the symbols under the root.
         radicand: Poly,
+        /// The symbol for the square root in `surface`.
+        radical: Variable,
+        /// The homogeneous coordinates, polynomials of degree 1 in `radical`.
+        surface: Box<Homogeneous>,
     },
     /// It is not rational in the given parameters.
     Irrational {
@@ -101,7 +105,14 @@ impl SweptSurface {
         let homogeneous = budget::doing("the homogeneous coordinates", || self.homogeneous());
         let normal = budget::doing("the normal", || self.normal())?;
         let offset = budget::doing("the offset", || self.offset(&Poly::variable(&distance).into()));
-        let offset = offset.map(|surface| surface.homogeneous().clone());
+        let (offset, radical) = match offset {
+            Ok(surface) => (Ok(surface.homogeneous().clone()), None),
+            Err(OffsetError::SymbolicRadical { surface: Some(surface), .. }) => {
+                let RadicalSurface { radical, position } = *surface;
+                (Ok(Homogeneous::of(&position, &parameters)), Some(radical))
+            }
+            Err(error) => (Err(error), None),
+        };
 
         // One field for all of them: what the visit collects is minimized, and given back in the same order.
         let mut all = Vec::new();
@@ -117,17 +128,21 @@ impl SweptSurface {
         let mut replace = |_: &Poly| next.next().unwrap_or_else(Poly::zero);
         let homogeneous = homogeneous.map(&mut replace);
         let normal = normal.map(&mut replace);
-        let offset = match offset {
-            Ok(offset) => Offset::Rational(Box::new(offset.map(&mut replace))),
-            Err(OffsetError::SymbolicRadical { .. }) => {
-                Offset::SymbolicRadical { radicand: normal.radicand().clone() }
-            }
-            Err(_) => Offset::Irrational { odd: normal.split().odd.clone() },
+        let squared = normal.squared_length();
+        let offset = match (offset, radical) {
+            (Ok(offset), None) => Offset::Rational(Box::new(offset.map(&mut replace))),
+            (Ok(offset), Some(radical)) => Offset::SymbolicRadical {
+                radicand: squared.radicand().clone(),
+                radical,
+                surface: Box::new(offset.map(&mut replace)),
+            },
+            (Err(_), _) => Offset::Irrational { odd: squared.split().odd.clone() },
         };
 
         let position = homogeneous.cartesian();
-        let speeds =
-            budget::doing("the parametric speeds", || ParametricSpeed::both(&position, &parameters, &domain));
+        let speeds = budget::doing("the parametric speeds", || {
+            ParametricSpeed::both(&position, &parameters, &domain, self.directions())
+        });
         let speeds = speeds.map(|speed| {
             let root = speed.root.as_ref().map(|root| root.map(|poly| into_field(poly, &mut field)));
             ParametricSpeed { root, ..speed }
@@ -164,15 +179,7 @@ impl SweptSurface {
     /// name.
     #[must_use]
     pub fn distance_symbol(&self) -> Variable {
-        let symbols = self.symbols();
-        let taken = |name: &str| symbols.iter().any(|symbol| symbol.name() == name);
-        let mut name = "r".to_owned();
-        let mut number = 0;
-        while taken(&name) {
-            number += 1;
-            name = format!("r{number}");
-        }
-        Variable::new(Variable::SYMBOL, &name)
+        unused("r", self.symbols().iter())
     }
 }
 

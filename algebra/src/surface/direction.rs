@@ -17,15 +17,32 @@ impl Direction {
     /// The direction of a vector; `None` for the zero vector.
     ///
     /// Known factors of the denominators are kept; the gcd of the three components finds the factor that no denominator
-    /// announces.
-    pub(crate) fn of(vector: &Vector) -> Option<Direction> {
+    /// announces, unless the vector is along one of the `known` directions, which is tried first.
+    pub(crate) fn of(vector: &Vector, known: &[[Poly; 3]]) -> Option<Direction> {
         let vector = vector.reduced();
         if vector.is_zero() {
             return None;
         }
         let common = Fraction::common_denominator(vector.components());
         let numerators = vector.components().each_ref().map(|component| component.numerator_over(&common));
-        Some(Direction::of_polynomials(numerators).times(&Fraction::new(Poly::one(), common)))
+        let direction = known.iter().find_map(|known| Direction::along(&numerators, known));
+        let direction = direction.unwrap_or_else(|| Direction::of_polynomials(numerators));
+        Some(direction.times(&Fraction::new(Poly::one(), common)))
+    }
+
+    /// The vector as a multiple of `direction`, if it is one.
+    fn along(vector: &[Poly; 3], direction: &[Poly; 3]) -> Option<Direction> {
+        let mut pairs: Vec<(&Poly, &Poly)> = vector.iter().zip(direction).collect();
+        pairs.sort_by_key(|(_, component)| component.terms().len());
+        pairs.retain(|(_, component)| !component.is_zero());
+        let zero = |(component, known): (&Poly, &Poly)| !known.is_zero() || component.is_zero();
+        if !vector.iter().zip(direction).all(zero) {
+            return None;
+        }
+        let (first, others) = pairs.split_first()?;
+        let factor = first.0.exact_div(first.1)?;
+        let parallel = others.iter().all(|(component, known)| **component == &factor * *known);
+        parallel.then(|| Direction { factor: factor.into(), numerator: direction.clone() })
     }
 
     /// The direction of a nonzero vector of polynomials.
@@ -46,11 +63,6 @@ impl Direction {
             return None;
         }
         Some(Direction::of_polynomials(product).times(&(&self.factor * &other.factor)))
-    }
-
-    /// The squared length of the numerator.
-    pub(crate) fn norm2(&self) -> Poly {
-        self.numerator.iter().map(|component| component * component).sum()
     }
 
     /// The opposite numerator with the opposite factor: the same vector.

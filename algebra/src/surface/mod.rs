@@ -1,10 +1,16 @@
 //! Rational surfaces: coordinates, degrees, normals and offsets.
 
+pub(crate) mod common_zero;
+pub(crate) mod conditions;
 pub(crate) mod control_net;
 pub(crate) mod degree;
 pub(crate) mod derivation;
 pub(crate) mod direction;
+pub(crate) mod elimination;
+pub(crate) mod essentials;
 pub(crate) mod homogeneous;
+pub(crate) mod locus;
 pub(crate) mod normal;
 pub(crate) mod singular;
+pub(crate) mod squared_length;
 pub(crate) mod swept;

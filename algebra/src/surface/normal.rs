@@ -1,13 +1,14 @@
 //! The surface normal.
 
-use num_traits::One;
+use std::cell::OnceCell;
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
 use super::direction::Direction;
 use super::homogeneous::Homogeneous;
+use super::squared_length::SquaredLength;
 use crate::geometry::sample::sample_sign_on_box;
-use crate::{Fraction, Interval, Poly, Rational, SquareSplit, Variable, Vector, budget};
+use crate::{Fraction, Interval, Poly, Rational, Variable, Vector, budget};
 
 /// The normal direction of a rational surface, in lowest terms: `R_u × R_v = factor · numerator` (FN (11)).
 ///
@@ -35,40 +36,32 @@ use crate::{Fraction, Interval, Poly, Rational, SquareSplit, Variable, Vector, b
 pub struct Normal {
     numerator: [Poly; 3],
     factor: Fraction,
-    norm_squared: Poly,
-    split: SquareSplit,
-    radicand: Poly,
+    parameters: [Variable; 2],
+    length: OnceCell<SquaredLength>,
 }
 
 impl Normal {
     /// The normal of a surface; `None` if `R_u × R_v` vanishes identically, so that it is no surface but a curve or a
-    /// point. `domain` is where the parameters run.
+    /// point. `domain` is where the parameters run; `directions` are tried for the derivatives.
     ///
     /// The derivatives keep the factors of the weight as their denominators; each is split into a factor and a direction,
     /// and only the directions are multiplied.
     #[must_use]
-    pub fn of(surface: &Homogeneous, domain: &[Interval; 2]) -> Option<Normal> {
+    pub(crate) fn of(
+        surface: &Homogeneous,
+        domain: &[Interval; 2],
+        directions: &[[Poly; 3]],
+    ) -> Option<Normal> {
         let [u, v] = surface.parameters();
         let position = surface.cartesian();
-        let along_u = Direction::of(&position.derivative(u))?;
-        let along_v = Direction::of(&position.derivative(v))?;
+        let along_u = Direction::of(&position.derivative(u), directions)?;
+        let along_v = Direction::of(&position.derivative(v), directions)?;
         let mut cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v))?;
         if sample_sign_on_box(&cross.factor, surface.parameters(), domain).is_lt() {
             cross = cross.reversed();
         }
-        let norm_squared = cross.norm2();
         let Direction { factor, numerator } = cross;
-        let split = budget::doing("the square root of |R_u x R_v|^2", || norm_squared.square_split());
-        // Factors in the symbols alone are numbers, as far as the parameters go.
-        let mut split = split;
-        let mut radicand = Poly::one();
-        for (part, _) in split.odd.squarefree().factors {
-            if !surface.parameters().iter().any(|parameter| part.contains(parameter)) {
-                split.odd = split.odd.exact_div(&part).unwrap_or(split.odd);
-                radicand *= part;
-            }
-        }
-        Some(Normal { numerator, factor, norm_squared, split, radicand })
+        Some(Normal { numerator, factor, parameters: surface.parameters().clone(), length: OnceCell::new() })
     }
 
     /// The components of the numerator.
@@ -95,21 +88,12 @@ impl Normal {
 
     /// The squared length of the numerator.
     #[must_use]
-    pub fn norm_squared(&self) -> &Poly {
-        &self.norm_squared
-    }
-
-    /// The factor of odd multiplicity in the squared length that is free of the parameters: a polynomial in the symbols,
-    /// 1 if there is none. The squared length is `unit · radicand · root² · odd`.
-    #[must_use]
-    pub fn radicand(&self) -> &Poly {
-        &self.radicand
-    }
-
-    /// The squared length as `unit · root² · odd`, up to [`Normal::radicand`].
-    #[must_use]
-    pub fn split(&self) -> &SquareSplit {
-        &self.split
+    pub fn squared_length(&self) -> &SquaredLength {
+        self.length.get_or_init(|| {
+            budget::doing("the square |N|^2 of the normal", || {
+                SquaredLength::of(&self.numerator, &self.parameters)
+            })
+        })
     }
 
     /// Whether the unit normal, and with it every offset, is rational in the given parameters, over the real numbers: the
@@ -117,16 +101,18 @@ impl Normal {
     /// quotient of a sum of squares and a square.
     #[must_use]
     pub fn is_rational(&self) -> bool {
-        self.split.is_square()
+        self.squared_length().split().is_square()
     }
 
     /// The length of the numerator, if it is a polynomial over the real numbers: positive where the domain begins.
     #[must_use]
     pub fn length(&self, parameters: &[Variable; 2], domain: &[Interval; 2]) -> Option<Poly> {
-        if !self.is_rational() || !self.radicand.is_one() {
+        let squared = self.squared_length();
+        let split = squared.split();
+        if !split.is_square() || !squared.radicand().is_one() {
             return None;
         }
-        let length = &self.split.root * self.split.unit.sqrt()?;
+        let length = &split.root * split.unit.sqrt()?;
         let negative = sample_sign_on_box(&length.clone().into(), parameters, domain).is_lt();
         Some(if negative { -length } else { length })
     }
@@ -146,17 +132,12 @@ impl Normal {
         Normal {
             numerator: self.numerator.each_ref().map(&mut map),
             factor: self.factor.map(&mut map),
-            norm_squared: map(&self.norm_squared),
-            split: SquareSplit {
-                unit: map(&self.split.unit),
-                root: map(&self.split.root),
-                odd: map(&self.split.odd),
-            },
-            radicand: map(&self.radicand),
+            length: self.length.get().map(|length| OnceCell::from(length.map(&mut map))).unwrap_or_default(),
+            parameters: self.parameters.clone(),
         }
     }
 
-    /// Shows all polynomials to `see`, in the order in which [`Normal::map`] maps them.
+    /// Shows all polynomials that are known already to `see`, in the order in which [`Normal::map`] maps them.
     pub(crate) fn visit(&self, mut see: impl FnMut(&Poly)) {
         self.map(|poly| {
             see(poly);

@@ -41,10 +41,12 @@ impl SingularLocus {
             parameters.iter().cloned().zip(domain.iter().cloned()).collect();
         let factor_zeros = factor.zeros_on(&domain);
         // |N|² is a sum of squares: its zeros are those of the square root where there is one.
-        let split = normal.split();
-        let support =
-            if split.is_square() { split.root.clone() } else { normal.norm_squared().squarefree().radical() };
-        let normal_zeros = support.zeros_on(&domain);
+        let squared = normal.squared_length();
+        let normal_zeros = match squared.expanded() {
+            _ if squared.split().is_square() => squared.split().root.zeros_on(&domain),
+            Some(square) => square.squarefree().radical().zeros_on(&domain),
+            None => None,
+        };
         SingularLocus { factor, factor_zeros, normal_zeros }
     }
 

@@ -3,12 +3,14 @@
 use std::cell::OnceCell;
 use std::fmt;
 
+use super::conditions::Conditions;
 use super::direction::Direction;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
+use super::squared_length::SquaredLength;
 use crate::geometry::curve::rational_root;
 use crate::geometry::sample::sample_sign_on_box;
-use crate::{BoxSign, Fraction, Interval, Poly, Variable, Vector};
+use crate::{BoxSign, Fraction, Interval, Point, Poly, Variable, Vector, ratio};
 
 /// A rational surface `R(u, v)` over a closed box of parameters.
 ///
@@ -21,15 +23,18 @@ use crate::{BoxSign, Fraction, Interval, Poly, Variable, Vector};
 /// let normal = saddle.normal().unwrap();
 /// assert_eq!(normal.numerator().each_ref().map(ToString::to_string), ["-v", "-u", "1"]);
 /// assert!(!normal.is_rational());
-/// assert_eq!(normal.split().odd.to_string(), "u^2 + v^2 + 1");
+/// assert_eq!(normal.squared_length().split().odd.to_string(), "u^2 + v^2 + 1");
 /// ```
 #[derive(Clone, Debug)]
 pub struct SweptSurface {
     position: Vector,
     parameters: [Variable; 2],
     domain: [Interval; 2],
+    /// Vectors of polynomials without common factor that derivatives may be parallel to.
+    directions: Vec<[Poly; 3]>,
     homogeneous: OnceCell<Homogeneous>,
     normal: OnceCell<Option<Normal>>,
+    conditions: OnceCell<Conditions>,
 }
 
 /// The parametric speed along one family of isoparametric curves.
@@ -50,9 +55,11 @@ pub struct SweptSurface {
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParametricSpeed {
-    /// `|R_u|²` or `|R_v|²`.
-    pub squared: Fraction,
-    /// Its square root, if that is a rational function: positive where the domain begins.
+    /// The factor f of the derivative `f·N`, whose numerator N has coprime components.
+    pub factor: Fraction,
+    /// `|N|²`.
+    pub length: SquaredLength,
+    /// The square root of `f²·|N|²`, if that is a rational function: positive where the domain begins.
     pub root: Option<Fraction>,
     /// Whether the root is certified to be positive on the whole domain, so that it is the parametric speed.
     pub certified: bool,
@@ -65,28 +72,44 @@ impl ParametricSpeed {
         position: &Vector,
         parameters: &[Variable; 2],
         domain: &[Interval; 2],
+        directions: &[[Poly; 3]],
     ) -> [ParametricSpeed; 2] {
         parameters.each_ref().map(|parameter| {
-            let Some(direction) = Direction::of(&position.derivative(parameter)) else {
+            let Some(direction) = Direction::of(&position.derivative(parameter), directions) else {
+                let zero = [Poly::zero(), Poly::zero(), Poly::zero()];
                 return ParametricSpeed {
-                    squared: Fraction::zero(),
+                    factor: Fraction::zero(),
+                    length: SquaredLength::of(&zero, parameters),
                     root: Some(Fraction::zero()),
                     certified: false,
                 };
             };
             // |f·N| = |f|·|N|: only the length of the direction needs a root.
-            let norm2 = Fraction::from(direction.norm2());
-            let squared = (&(&direction.factor * &direction.factor) * &norm2).reduced();
-            let root = rational_root(&norm2).ok().map(|length| (&direction.factor * &length).reduced());
+            let length = SquaredLength::of(&direction.numerator, parameters);
+            let root = length.expanded().and_then(|square| rational_root(&square.clone().into()).ok());
+            let root = root.map(|length| (&direction.factor * &length).reduced());
             let oriented = root.map(|root| {
                 let negative = sample_sign_on_box(&root, parameters, domain).is_lt();
                 if negative { -&root } else { root }
             });
             let certified = oriented.as_ref().is_some_and(|root| is_positive(root, parameters, domain));
-            ParametricSpeed { squared, root: oriented, certified }
+            ParametricSpeed { factor: direction.factor, length, root: oriented, certified }
         })
     }
+
+    /// `|R_u|²` or `|R_v|²`, multiplied out; `None` if that is too large to be of use.
+    #[must_use]
+    pub fn squared(&self) -> Option<Fraction> {
+        let square = self.length.expanded()?;
+        let size = self.factor.numerator().terms().len();
+        let products = size.saturating_mul(size).saturating_mul(square.terms().len());
+        let square = Fraction::from(square.clone());
+        (products <= LARGE).then(|| (&(&self.factor * &self.factor) * &square).reduced())
+    }
 }
+
+/// The number of products of terms up to which the square of a parametric speed is multiplied out.
+const LARGE: usize = 1_000_000;
 
 /// Whether a rational function is certified to be positive on a box.
 fn is_positive(f: &Fraction, parameters: &[Variable; 2], domain: &[Interval; 2]) -> bool {
@@ -101,7 +124,11 @@ impl fmt::Display for ParametricSpeed {
         match &self.root {
             Some(root) if self.certified || root.is_zero() => write!(f, "{root}"),
             Some(root) => write!(f, "abs({root})"),
-            None => write!(f, "sqrt({})", self.squared),
+            None => match (self.squared(), self.length.expanded()) {
+                (Some(squared), _) => write!(f, "sqrt({squared})"),
+                (None, Some(square)) => write!(f, "sqrt(({})^2*({square}))", self.factor),
+                (None, None) => write!(f, "sqrt(({})^2*({}))", self.factor, self.length.sum_of_squares()),
+            },
         }
     }
 }
@@ -119,9 +146,20 @@ pub enum OffsetError {
     SymbolicRadical {
         /// That polynomial.
         radicand: Poly,
+        /// The surface, if the distance is a symbol that does not occur in the surface itself.
+        surface: Option<Box<RadicalSurface>>,
     },
     /// `R_u × R_v` vanishes identically: a curve or a point has no normal.
     NoSurface,
+}
+
+/// A rational surface over the square root of a polynomial in its symbols.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RadicalSurface {
+    /// The symbol that stands for the positive square root.
+    pub radical: Variable,
+    /// The Cartesian coordinates, in which `radical` occurs to the power −1 at most.
+    pub position: Vector,
 }
 
 impl fmt::Display for OffsetError {
@@ -133,7 +171,7 @@ impl fmt::Display for OffsetError {
                     "|R_u x R_v|^2 contains the factor {odd} to an odd power, so its root is not rational"
                 )
             }
-            OffsetError::SymbolicRadical { radicand } => {
+            OffsetError::SymbolicRadical { radicand, .. } => {
                 write!(f, "the offset contains the square root of {radicand}, which depends on the symbols")
             }
             OffsetError::NoSurface => f.write_str(
@@ -149,7 +187,29 @@ impl SweptSurface {
     /// The surface with the given Cartesian coordinates.
     #[must_use]
     pub fn new(position: Vector, parameters: [Variable; 2], domain: [Interval; 2]) -> SweptSurface {
-        SweptSurface { position, parameters, domain, homogeneous: OnceCell::new(), normal: OnceCell::new() }
+        SweptSurface {
+            position,
+            parameters,
+            domain,
+            directions: Vec::new(),
+            homogeneous: OnceCell::new(),
+            normal: OnceCell::new(),
+            conditions: OnceCell::new(),
+        }
+    }
+
+    /// The same surface where its derivatives are likely to be parallel to some of these vectors, tangents and normals of the
+    /// curves that it is made of. Nothing depends on that but the work: with symbols, the common factor of a derivative's
+    /// components can be much larger than its direction.
+    #[must_use]
+    pub fn with_directions<'a>(self, vectors: impl IntoIterator<Item = &'a Vector>) -> SweptSurface {
+        let directions = vectors.into_iter().filter_map(|vector| Direction::of(vector, &[]));
+        SweptSurface { directions: directions.map(|direction| direction.numerator).collect(), ..self }
+    }
+
+    /// The vectors that derivatives may be parallel to.
+    pub(crate) fn directions(&self) -> &[[Poly; 3]] {
+        &self.directions
     }
 
     /// The Cartesian coordinates, as constructed.
@@ -190,19 +250,92 @@ impl SweptSurface {
         })
     }
 
+    /// Where the symbols change the degrees of the homogeneous coordinates.
+    pub fn conditions(&self) -> &Conditions {
+        self.conditions.get_or_init(|| Conditions::of(self.homogeneous()))
+    }
+
+    /// Whether it is a surface: `R_u × R_v` does not vanish identically. Else it is a curve or a point.
+    ///
+    /// A few points are looked at first, with numbers for the symbols: one with a normal is a proof.
+    #[must_use]
+    pub fn is_surface(&self) -> bool {
+        (1..=3).any(|seed| self.has_normal_at_sample(seed)) || self.normal().is_ok()
+    }
+
+    /// Whether there is a normal at some point, which depends on `seed`, for some values of the symbols.
+    fn has_normal_at_sample(&self, seed: i64) -> bool {
+        let number = |index: i64| Poly::constant(ratio(3 * index + seed + 1, index + 2 * seed));
+        let symbols: Point = self.symbols().into_iter().zip((3..).map(number)).collect();
+        let point: Point = self.parameters.iter().cloned().zip((1..).map(number)).collect();
+        let derivatives = |component: &Fraction| -> Option<[Poly; 2]> {
+            let numerator = component.numerator().evaluate(&symbols);
+            let denominator: Poly =
+                component.factors().iter().map(|(factor, e)| factor.evaluate(&symbols).pow(*e)).product();
+            let at = |poly: &Poly| poly.evaluate(&point);
+            let below = at(&denominator);
+            // (n/d)' = (n'd − nd')/d²
+            (!below.is_zero()).then(|| {
+                let scale = (&below * &below).inverse();
+                self.parameters.each_ref().map(|by| {
+                    let upper = at(&numerator.derivative(by)) * &below;
+                    (upper - at(&numerator) * at(&denominator.derivative(by))) * &scale
+                })
+            })
+        };
+        let [x, y, z] = self.position.components().each_ref().map(derivatives);
+        let (Some(x), Some(y), Some(z)) = (x, y, z) else { return false };
+        let minor = |a: &[Poly; 2], b: &[Poly; 2]| &a[0] * &b[1] - &a[1] * &b[0];
+        [minor(&x, &y), minor(&y, &z), minor(&z, &x)].iter().any(|minor| !minor.is_zero())
+    }
+
     /// The normal.
     ///
     /// # Errors
     /// [`OffsetError::NoSurface`] if `R_u × R_v` vanishes identically.
     pub fn normal(&self) -> Result<&Normal, OffsetError> {
-        let normal = self.normal.get_or_init(|| Normal::of(self.homogeneous(), &self.domain));
+        let normal =
+            self.normal.get_or_init(|| Normal::of(self.homogeneous(), &self.domain, &self.directions));
         normal.as_ref().ok_or(OffsetError::NoSurface)
     }
 
     /// The parametric speeds `‖R_u‖` along the curves v = const, and `‖R_v‖` along the curves u = const.
     #[must_use]
     pub fn speeds(&self) -> [ParametricSpeed; 2] {
-        ParametricSpeed::both(&self.homogeneous().cartesian(), &self.parameters, &self.domain)
+        ParametricSpeed::both(
+            &self.homogeneous().cartesian(),
+            &self.parameters,
+            &self.domain,
+            &self.directions,
+        )
+    }
+
+    /// The offset `R + r·N/(length·ρ)` with a symbol ρ for the square root of the radicand in the symbols, if the distance
+    /// is another symbol.
+    ///
+    /// Since r does not occur in W, a common factor of the coordinates divides both parts of each, neither of which contains
+    /// ρ: so the gcd with ρ as one more variable is right.
+    fn offset_over_radical(&self, normal: &Normal, distance: &Fraction) -> Option<RadicalSurface> {
+        let symbols = self.symbols();
+        let plain = distance.occurring_variables();
+        let [symbol] = plain.as_slice() else { return None };
+        if *distance != Poly::variable(symbol).into()
+            || symbols.contains(symbol)
+            || self.parameters.contains(symbol)
+        {
+            return None;
+        }
+        let radical = unused("rho", symbols.iter().chain([symbol]));
+        let split = normal.squared_length().split();
+        let length = &split.root * split.unit.sqrt()?;
+        let negative = sample_sign_on_box(&length.clone().into(), &self.parameters, &self.domain).is_lt();
+        let length = if negative { -length } else { length }.squarefree();
+        let factors = length.factors.into_iter().chain([(Poly::variable(&radical), 1)]);
+        let inverse = Fraction::new(length.unit.inverse(), factors);
+        let [x, y, z] = normal.numerator().each_ref().map(|component| Fraction::from(component.clone()));
+        let unit = Vector::new(x, y, z).scale(&inverse).reduced();
+        let position = &self.homogeneous().cartesian() + &unit.scale(distance);
+        Some(RadicalSurface { radical, position })
     }
 
     /// The offset surface `R + distance·N` at a signed distance along the unit normal (FN (12)), if it is rational in the
@@ -212,13 +345,26 @@ impl SweptSurface {
     /// [`OffsetError`] if it is not.
     pub fn offset(&self, distance: &Fraction) -> Result<SweptSurface, OffsetError> {
         let normal = self.normal()?;
-        if normal.is_rational() && !normal.radicand().is_one() {
-            return Err(OffsetError::SymbolicRadical { radicand: normal.radicand().clone() });
+        let squared = normal.squared_length();
+        if normal.is_rational() && !squared.radicand().is_one() {
+            return Err(OffsetError::SymbolicRadical {
+                radicand: squared.radicand().clone(),
+                surface: self.offset_over_radical(normal, distance).map(Box::new),
+            });
         }
         let unit = normal
             .unit(&self.parameters, &self.domain)
-            .ok_or_else(|| OffsetError::Irrational { odd: normal.split().odd.clone() })?;
+            .ok_or_else(|| OffsetError::Irrational { odd: squared.split().odd.clone() })?;
         let position = &self.homogeneous().cartesian() + &unit.scale(distance);
-        Ok(SweptSurface::new(position, self.parameters.clone(), self.domain.clone()))
+        let surface = SweptSurface::new(position, self.parameters.clone(), self.domain.clone());
+        Ok(SweptSurface { directions: self.directions.clone(), ..surface })
     }
+}
+
+/// The symbol `name`, or the first of `name1`, `name2`, … that is not taken.
+pub(crate) fn unused<'a>(name: &str, taken: impl Iterator<Item = &'a Variable> + Clone) -> Variable {
+    let numbered = (1..).map(|number| format!("{name}{number}"));
+    let mut names = std::iter::once(name.to_owned()).chain(numbered);
+    let free = names.find(|name| !taken.clone().any(|symbol| symbol.name() == name));
+    Variable::new(Variable::SYMBOL, &free.unwrap_or_default())
 }

@@ -45,7 +45,7 @@ fn rust(document: &Document, arguments: &EmitArguments) -> Result<String, Failur
         progress.show(&format!("compiling {}", model.name));
         match compile(model) {
             Ok(artifact) => artifacts.push(artifact),
-            Err(error) => diagnostics.push(Diagnostic::new(model.span, error.to_string())),
+            Err(error) => diagnostics.push(Diagnostic::new(model.place, error.to_string())),
         }
     }
     if !diagnostics.is_empty() {

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
+use super::code::Code;
 use crate::program::{Input, Operation, Program, Stage, Value};
 
 /// How tightly an expression binds.
@@ -27,15 +28,9 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// The body that computes `results` where the values `given` have expressions already, and the polynomials `functions`
-    /// have functions of their own.
-    pub(super) fn new(
-        program: &Program<f64>,
-        results: &[Value],
-        given: &BTreeMap<Value, TokenStream>,
-        functions: &BTreeMap<Value, Ident>,
-        runtime: &TokenStream,
-    ) -> Body {
+    /// The body that computes `results` where the values `given` have expressions already.
+    pub(super) fn new(code: &Code<'_>, results: &[Value], given: &BTreeMap<Value, TokenStream>) -> Body {
+        let Code { program, functions, .. } = code;
         let known = |value: Value| given.contains_key(&value) || functions.contains_key(&value);
         let needed = needed(program, results, known);
         let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
@@ -44,8 +39,7 @@ impl Body {
         for value in operands.chain(results.iter().copied()) {
             *uses.entry(value).or_default() += 1;
         }
-        let mut writer =
-            Writer { program, runtime, functions, variables: given.clone(), inputs: BTreeSet::new() };
+        let mut writer = Writer { code, program, variables: given.clone(), inputs: BTreeSet::new() };
         let mut statements = TokenStream::new();
         let names = Names::new(program);
         for value in needed {
@@ -66,12 +60,24 @@ impl Body {
     }
 }
 
+/// The variable that holds a symbol.
+pub(super) fn symbol(name: &str) -> Ident {
+    let name = match syn::parse_str::<Ident>(name) {
+        Ok(_) => name.to_string(),
+        // A word of Rust.
+        Err(_) => format!("{name}_"),
+    };
+    Ident::new(&name, Span::call_site())
+}
+
 /// The names of variables: those of the program, and numbered ones that no value of the program has.
 pub(super) struct Names(BTreeSet<String>);
 
 impl Names {
     pub(super) fn new(program: &Program<f64>) -> Names {
-        Names(program.values().filter_map(|value| program.name_of(value)).map(str::to_string).collect())
+        let named = program.values().filter_map(|value| program.name_of(value)).map(str::to_string);
+        let symbols = program.symbols().iter().map(|name| symbol(name).to_string());
+        Names(named.chain(symbols).collect())
     }
 
     /// The variable for `value`.
@@ -79,6 +85,9 @@ impl Names {
         let name = match (program.operation(value), program.name_of(value)) {
             (Operation::Input(Input::U), _) => "u".to_string(),
             (Operation::Input(Input::V), _) => "v".to_string(),
+            (Operation::Input(Input::Symbol(place)), _) => {
+                return symbol(&program.symbols()[*place as usize]);
+            }
             (_, Some(name)) if ["u", "v", "of_u", "of_v"].contains(&name) => format!("{name}_value"),
             (_, Some(name)) => name.to_string(),
             (_, None) => {
@@ -106,9 +115,8 @@ fn needed(program: &Program<f64>, results: &[Value], known: impl Fn(Value) -> bo
 }
 
 struct Writer<'a> {
+    code: &'a Code<'a>,
     program: &'a Program<f64>,
-    runtime: &'a TokenStream,
-    functions: &'a BTreeMap<Value, Ident>,
     variables: BTreeMap<Value, TokenStream>,
     inputs: BTreeSet<Input>,
 }
@@ -124,10 +132,10 @@ impl Writer<'_> {
 
     /// The expression that computes a value, also where a variable holds it.
     fn expression(&mut self, value: Value) -> (TokenStream, Binding) {
-        if let Some(function) = self.functions.get(&value) {
+        if let Some(function) = self.code.functions.get(&value) {
             let input = if self.program.stage(value) == Stage::U { Input::U } else { Input::V };
-            let parameter = self.input(input);
-            return (quote! { Self::#function(#parameter) }, Binding::Atom);
+            let (parameter, path) = (self.input(input), self.code.path(function));
+            return (quote! { #path(#parameter) }, Binding::Atom);
         }
         match *self.program.operation(value) {
             Operation::Constant(constant) => constant_expression(constant),
@@ -157,7 +165,7 @@ impl Writer<'_> {
                 (quote! { -#inner }, Binding::Sign)
             }
             Operation::SquareRoot(a) => {
-                let (inner, runtime) = (self.value(a).0, self.runtime);
+                let (inner, runtime) = (self.value(a).0, self.code.runtime);
                 (quote! { #runtime::float::sqrt(#inner) }, Binding::Atom)
             }
         }
@@ -173,13 +181,16 @@ impl Writer<'_> {
         }
     }
 
-    /// The name of a parameter, which is thereby read.
+    /// The name of a parameter, which is thereby read, or of a symbol.
     fn input(&mut self, input: Input) -> TokenStream {
         self.inputs.insert(input);
-        if input == Input::U {
-            quote! { u }
-        } else {
-            quote! { v }
+        match input {
+            Input::U => quote! { u },
+            Input::V => quote! { v },
+            Input::Symbol(place) => {
+                let name = symbol(&self.program.symbols()[place as usize]);
+                quote! { #name }
+            }
         }
     }
 

@@ -162,6 +162,7 @@ pub fn expression(expr: &Expr) -> String {
         ExprKind::Relation { left, operator, right } => {
             let operator = match operator {
                 RelationOperator::Equal => "=",
+                RelationOperator::NotEqual => "\\ne",
                 RelationOperator::Less => "<",
                 RelationOperator::LessEqual => "\\le",
                 RelationOperator::Greater => ">",

@@ -3,7 +3,10 @@
 //! [`module`] gives the documented module of one surface, as the macro expands to; [`format`](format()) lays tokens out as text, and [`standalone`] adds the little of the runtime that the items need.
 
 mod body;
+mod code;
+mod family;
 pub mod latex;
+mod net;
 mod polynomial;
 mod rust;
 mod standalone;
@@ -13,6 +16,7 @@ use proc_macro2::TokenStream;
 pub use rust::module;
 pub use standalone::standalone;
 
+use crate::meaning::CoefficientKind;
 use crate::program::Program;
 
 /// A surface to be emitted: its program, and what is said of it.
@@ -34,8 +38,27 @@ pub struct Artifact {
     pub domain: [[f64; 2]; 2],
     /// Homogeneous control points over the domain, the index of u outer.
     pub control_net: Vec<[f64; 4]>,
+    /// What is set at run time; nothing for a surface whose coefficients are all numbers. Then the control net is empty,
+    /// since each member of the family has its own.
+    pub symbols: Vec<Setting>,
     /// The scheduled program (see [`crate::schedule`]) with rounded constants.
     pub program: Program<f64>,
+}
+
+/// What the values of symbols are given by at run time.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Setting {
+    /// A number: the name of the symbol.
+    Number(String),
+    /// The coefficients of a curve.
+    Curve {
+        /// The name of the curve.
+        name: String,
+        /// What the coefficients are.
+        kind: CoefficientKind,
+        /// The names of the symbols, a row for each coefficient.
+        rows: Vec<Vec<String>>,
+    },
 }
 
 /// The text of `tokens`, which are items of a file, laid out by prettyplease.

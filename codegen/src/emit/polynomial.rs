@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::body::{Body, literal};
+use super::code::Code;
 use crate::program::{Operation, Program, Stage, Table, Value};
 
 /// The names of the functions for those polynomials whose coefficients are too long to stand in a formula.
@@ -39,28 +40,22 @@ pub(super) fn functions(program: &Program<f64>) -> BTreeMap<Value, Ident> {
 }
 
 /// The functions of all polynomials that have one.
-pub(super) fn polynomials(program: &Program<f64>, runtime: &TokenStream) -> TokenStream {
-    let functions = functions(program);
-    let tables = program.tables().iter().filter(|table| functions.contains_key(&table.value));
-    tables.map(|table| polynomial(program, table, &functions, runtime)).collect()
+pub(super) fn polynomials(code: &Code<'_>) -> TokenStream {
+    let tables = code.program.tables().iter().filter(|table| code.functions.contains_key(&table.value));
+    tables.map(|table| polynomial(code, table)).collect()
 }
 
 /// The function of a polynomial: its coefficients, then Horner's scheme.
-fn polynomial(
-    program: &Program<f64>,
-    table: &Table,
-    functions: &BTreeMap<Value, Ident>,
-    runtime: &TokenStream,
-) -> TokenStream {
-    let name = &functions[&table.value];
-    let mut others = functions.clone();
-    others.remove(&table.value);
+fn polynomial(code: &Code<'_>, table: &Table) -> TokenStream {
+    let program = code.program;
+    let name = &code.functions[&table.value];
     let mut given = BTreeMap::new();
-    for (place, &coefficient) in table.coefficients.iter().enumerate() {
+    let symbolic = is_symbolic(program, table);
+    for (place, &coefficient) in table.coefficients.iter().enumerate().filter(|_| !symbolic) {
         let place = Literal::usize_unsuffixed(place);
         given.entry(coefficient).or_insert_with(|| quote! { C[#place] });
     }
-    let Body { statements, results, .. } = Body::new(program, &[table.value], &given, &others, runtime);
+    let Body { statements, results, .. } = code.within(table.value).body_given(&[table.value], &given);
     let coefficients = table.coefficients.iter().filter_map(|&coefficient| constant(program, coefficient));
     let length = Literal::usize_unsuffixed(table.coefficients.len());
     let letter = if program.stage(table.value) == Stage::U { "u" } else { "v" };
@@ -70,11 +65,13 @@ fn polynomial(
     } else {
         format!(" The polynomial `{}` of {letter}.", table.name)
     };
+    let receiver = code.receiver();
+    let table = (!symbolic).then(|| quote! { const C: [f64; #length] = [#(#coefficients),*]; });
     quote! {
         #[doc = #text]
         #[inline]
-        fn #name(#parameter: f64) -> f64 {
-            const C: [f64; #length] = [#(#coefficients),*];
+        fn #name(#receiver #parameter: f64) -> f64 {
+            #table
             #statements
             #(#results)*
         }
@@ -84,13 +81,15 @@ fn polynomial(
 /// The longest formula that documentation shows.
 const LONGEST: usize = 100;
 
-/// Whether a coefficient is too long for a formula.
+/// Whether a coefficient depends on symbols.
+fn is_symbolic(program: &Program<f64>, table: &Table) -> bool {
+    table.coefficients.iter().any(|&coefficient| program.stage(coefficient) == Stage::Symbols)
+}
+
+/// Whether a coefficient is too long for a formula, or known at run time only.
 fn is_long(program: &Program<f64>, table: &Table) -> bool {
-    table
-        .coefficients
-        .iter()
-        .filter_map(|&coefficient| constant(program, coefficient))
-        .any(|c| c.to_string().len() > 6)
+    let mut constants = table.coefficients.iter().filter_map(|&coefficient| constant(program, coefficient));
+    is_symbolic(program, table) || constants.any(|c| c.to_string().len() > 6)
 }
 
 fn constant(program: &Program<f64>, value: Value) -> Option<TokenStream> {

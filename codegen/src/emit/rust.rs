@@ -1,14 +1,16 @@
 //! Rust items: a documented unit struct for each surface, which implements the runtime's `Surface`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Artifact;
 use super::body::{Body, Names, literal};
-use super::polynomial::{functions, polynomials};
-use crate::program::{Input, Program, Stage, Value};
+use super::code::Code;
+use super::family;
+use super::polynomial::polynomials;
+use crate::program::{Input, Stage, Value};
 use crate::schedule::outputs;
 
 /// The documented module `pub mod name { … }` of a surface, over the runtime at the path `runtime`.
@@ -28,7 +30,8 @@ pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// The items of a surface: a unit struct with inherent constants and evaluators, and its `impl Surface`.
+/// The items of a surface: a struct with inherent constants and evaluators, and its `impl Surface`. It is a unit struct
+/// unless the surface is one of a family.
 ///
 /// Evaluators are straight-line code over `f64`. What a point needs of u alone, of v alone and of both are separate
 /// functions, so that `grid` evaluates exactly what `point` does.
@@ -36,14 +39,23 @@ fn items(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     let name = Ident::new(&camel_case(&artifact.name), Span::call_site());
     let text = format!("The surface `{}` as a value.", artifact.name);
     let docs = doc([text.as_str()]);
+    let code = &Code::new(&artifact.program, runtime);
     let constants = constants(artifact, runtime);
-    let polynomials = polynomials(&artifact.program, runtime);
-    let evaluators = evaluators(artifact, runtime);
-    let implementation = implementation(&name, runtime);
+    let polynomials = polynomials(code);
+    let evaluators = evaluators(code);
+    let implementation = implementation(&name, code);
+    let (definition, construction) = if artifact.symbols.is_empty() {
+        let definition = quote! {
+            #docs
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+            pub struct #name;
+        };
+        (definition, TokenStream::new())
+    } else {
+        (family::definition(&name, artifact, code), family::construction(artifact, code))
+    };
     quote! {
-        #docs
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct #name;
+        #definition
 
         #[allow(
             clippy::approx_constant,
@@ -59,6 +71,7 @@ fn items(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
         )]
         impl #name {
             #constants
+            #construction
             #evaluators
             #polynomials
         }
@@ -110,6 +123,12 @@ fn constants(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
         quote! { [#w, #x, #y, #z] }
     });
     let length = Literal::usize_unsuffixed(artifact.control_net.len());
+    let net = artifact.symbols.is_empty().then(|| {
+        quote! {
+            /// Homogeneous Bézier control points (W, X, Y, Z) over the domain, rounded; the index of u is the outer one.
+            pub const CONTROL_NET: [[f64; 4]; #length] = [#(#net),*];
+        }
+    });
     quote! {
         /// The name of the sweep.
         pub const NAME: &'static str = #name;
@@ -121,17 +140,15 @@ fn constants(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
         pub const DEGREE: (u32, u32) = (#m, #n);
         /// The parameters over which the surface is stated.
         pub const DOMAIN: #runtime::Domain = #runtime::Domain { u: [#u_first, #u_last], v: [#v_first, #v_last] };
-        /// Homogeneous Bézier control points (W, X, Y, Z) over the domain, rounded; the index of u is the outer one.
-        pub const CONTROL_NET: [[f64; 4]; #length] = [#(#net),*];
+        #net
     }
 }
 
-fn evaluators(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
-    let program = &artifact.program;
-    let functions = &functions(program);
+fn evaluators(code: &Code<'_>) -> TokenStream {
+    let (program, runtime) = (code.program, code.runtime);
     let function = |output: &str, first: &str, name: &str, size: usize| {
         let results = program.results(output);
-        let body = Body::new(program, results, &BTreeMap::new(), functions, runtime);
+        let body = code.body(results);
         let text = format!("{first}: {}.", program.count_all(results));
         evaluator(&text, name, &body, size)
     };
@@ -143,8 +160,8 @@ fn evaluators(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     );
     let partial_u = function(outputs::PARTIAL_U, "The partial derivative `R_u`", "partial_u", 3);
     let partial_v = function(outputs::PARTIAL_V, "The partial derivative `R_v`", "partial_v", 3);
-    let point = point(program, functions, runtime);
-    let unit_normal = unit_normal(program, functions, runtime);
+    let point = point(code);
+    let unit_normal = unit_normal(code);
     quote! {
         #homogeneous
         #point
@@ -192,14 +209,15 @@ fn evaluator(text: &str, name: &str, body: &Body, size: usize) -> TokenStream {
 }
 
 /// The point in three functions, for what is known of u, of v and of both, and the grid that calls them.
-fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &TokenStream) -> TokenStream {
+fn point(code: &Code<'_>) -> TokenStream {
+    let (program, runtime) = (code.program, code.runtime);
     let results = program.results(outputs::POINT);
     let names = Names::new(program);
     let mut parts = [BTreeSet::new(), BTreeSet::new()];
     let mut frontier = |value: Value| match program.stage(value) {
         Stage::U => _ = parts[0].insert(value),
         Stage::V => _ = parts[1].insert(value),
-        Stage::Constant | Stage::Both => {}
+        Stage::Constant | Stage::Symbols | Stage::Both => {}
     };
     results.iter().for_each(|&result| frontier(result));
     for value in program.needed(results) {
@@ -208,8 +226,9 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
         }
     }
     let [of_u, of_v] = parts.map(|values| values.into_iter().collect::<Vec<Value>>());
+    let receiver = code.receiver();
     let part = |values: &[Value], input: Input, name: &str, stage: Stage| {
-        let body = Body::new(program, values, &BTreeMap::new(), functions, runtime);
+        let body = code.body(values);
         let (name, size) = (Ident::new(name, Span::call_site()), Literal::usize_unsuffixed(values.len()));
         let parameter = parameter(&body, input);
         let letter = if input == Input::U { 'u' } else { 'v' };
@@ -220,7 +239,7 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
         quote! {
             #text
             #[inline]
-            fn #name(#parameter: f64) -> [f64; #size] {
+            fn #name(#receiver #parameter: f64) -> [f64; #size] {
                 #statements
                 [#(#results),*]
             }
@@ -230,9 +249,16 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
     let function_of_v = part(&of_v, Input::V, "of_v", Stage::V);
     let given =
         of_u.iter().chain(&of_v).map(|&value| (value, names.of(program, value).to_token_stream())).collect();
-    let Body { statements, results: joined, .. } = Body::new(program, results, &given, functions, runtime);
+    let Body { statements, results: joined, .. } = code.body_given(results, &given);
     let (names_u, names_v) = (of_u.iter().map(|value| &given[value]), of_v.iter().map(|value| &given[value]));
     let (size_u, size_v) = (Literal::usize_unsuffixed(of_u.len()), Literal::usize_unsuffixed(of_v.len()));
+    let [call_u, call_v, join] =
+        ["of_u", "of_v", "join"].map(|name| code.path(&Ident::new(name, Span::call_site())));
+    let staged = if code.is_family() {
+        quote! { |u| self.of_u(u), |v| self.of_v(v), |of_u, of_v| self.join(of_u, of_v) }
+    } else {
+        quote! { Self::of_u, Self::of_v, Self::join }
+    };
     let text = doc([format!("The point of both parts: {}.", program.count(results, Stage::Both)).as_str()]);
     let point_text = doc([format!("The point R(u, v): {}.", program.count_all(results)).as_str()]);
     quote! {
@@ -240,7 +266,7 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
         #function_of_v
         #text
         #[inline]
-        fn join(of_u: &[f64; #size_u], of_v: &[f64; #size_v]) -> [f64; 3] {
+        fn join(#receiver of_u: &[f64; #size_u], of_v: &[f64; #size_v]) -> [f64; 3] {
             let [#(#names_u),*] = *of_u;
             let [#(#names_v),*] = *of_v;
             #statements
@@ -251,7 +277,7 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
         #[inline]
         #[must_use]
         pub fn point(&self, u: f64, v: f64) -> [f64; 3] {
-            Self::join(&Self::of_u(u), &Self::of_v(v))
+            #join(&#call_u(u), &#call_v(v))
         }
 
         /// Writes R(`us[i]`, `vs[j]`) to `out[j * us.len() + i]`, with the bits of `point`.
@@ -265,27 +291,29 @@ fn point(program: &Program<f64>, functions: &BTreeMap<Value, Ident>, runtime: &T
             vs: &[f64],
             out: &mut [[f64; 3]],
         ) -> ::core::result::Result<(), #runtime::GridError> {
-            #runtime::grid::staged(us, vs, out, Self::of_u, Self::of_v, Self::join)
+            #runtime::grid::staged(us, vs, out, #staged)
         }
     }
 }
 
-fn unit_normal(
-    program: &Program<f64>,
-    functions: &BTreeMap<Value, Ident>,
-    runtime: &TokenStream,
-) -> TokenStream {
+fn unit_normal(code: &Code<'_>) -> TokenStream {
+    let (program, runtime) = (code.program, code.runtime);
     let rational = program.results(outputs::UNIT_NORMAL);
-    let (constructor, vector) = if rational.is_empty() {
-        (quote! { unit }, program.results(outputs::NORMAL_DIRECTION))
-    } else {
-        (quote! { finite }, rational)
+    let crossed = program.results(outputs::CROSS_PRODUCT);
+    let (constructor, vector) = match (rational.is_empty(), crossed.is_empty()) {
+        (false, _) => (quote! { finite }, rational),
+        (true, true) => (quote! { unit }, program.results(outputs::NORMAL_DIRECTION)),
+        (true, false) => (quote! { unit }, crossed),
     };
     let singular = program.results(outputs::SINGULAR);
     let results: Vec<Value> = vector.iter().chain(singular).copied().collect();
-    let body = Body::new(program, &results, &BTreeMap::new(), functions, runtime);
+    let body = code.body(&results);
     let mut text = format!("The unit normal, where the surface is regular: {}", program.count_all(&results));
-    text.push_str(if rational.is_empty() { " for its direction." } else { ", since it is rational." });
+    text.push_str(match (rational.is_empty(), crossed.is_empty()) {
+        (false, _) => ", since it is rational.",
+        (true, true) => " for its direction.",
+        (true, false) => " for its direction, which is the vector product of the derivatives.",
+    });
     let docs = doc([text.as_str()]);
     let (u, v) = (parameter(&body, Input::U), parameter(&body, Input::V));
     let Body { statements, results, .. } = body;
@@ -320,7 +348,13 @@ fn unit_normal(
 }
 
 /// The trait's implementation, which calls the inherent evaluators.
-fn implementation(name: &Ident, runtime: &TokenStream) -> TokenStream {
+fn implementation(name: &Ident, code: &Code<'_>) -> TokenStream {
+    let runtime = code.runtime;
+    let net = if code.is_family() {
+        quote! { &self.control_net }
+    } else {
+        quote! { &Self::CONTROL_NET }
+    };
     let evaluators = [
         ("homogeneous", quote! { [f64; 4] }),
         ("point", quote! { [f64; 3] }),
@@ -352,7 +386,7 @@ fn implementation(name: &Ident, runtime: &TokenStream) -> TokenStream {
             }
 
             fn control_net(&self) -> &[[f64; 4]] {
-                &Self::CONTROL_NET
+                #net
             }
 
             #(#evaluators)*
@@ -374,14 +408,14 @@ fn parameter(body: &Body, input: Input) -> Ident {
     let name = match (input, body.inputs.contains(&input)) {
         (Input::U, true) => "u",
         (Input::U, false) => "_u",
-        (Input::V, true) => "v",
-        (Input::V, false) => "_v",
+        (_, true) => "v",
+        (_, false) => "_v",
     };
     Ident::new(name, Span::call_site())
 }
 
 /// `///` lines.
-fn doc<'a>(lines: impl IntoIterator<Item = &'a str>) -> TokenStream {
+pub(super) fn doc<'a>(lines: impl IntoIterator<Item = &'a str>) -> TokenStream {
     let lines =
         lines.into_iter().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
     quote! { #(#[doc = #lines])* }

@@ -17,16 +17,21 @@ use super::{Artifact, format, module};
 /// The error of syn if the runtime's files do not parse, which its own build would have reported.
 pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<String, syn::Error> {
     let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::runtime }));
-    let runtime = runtime(files)?;
+    let families = artifacts.iter().any(|artifact| !artifact.symbols.is_empty());
+    let runtime = runtime(files, families)?;
     format(quote! {
         #(#modules)*
         #runtime
     })
 }
 
-fn runtime(files: &[(&str, &str)]) -> Result<TokenStream, syn::Error> {
+/// The files that only families need.
+const OF_FAMILIES: [&str; 2] = ["bernstein", "family"];
+
+fn runtime(files: &[(&str, &str)], families: bool) -> Result<TokenStream, syn::Error> {
     let mut modules = TokenStream::new();
-    for (name, text) in files {
+    let errors = families.then(|| quote! { pub use family::ParameterError; });
+    for (name, text) in files.iter().filter(|(name, _)| families || !OF_FAMILIES.contains(name)) {
         let mut file: syn::File = syn::parse_str(&text.replace("use crate::", "use super::"))?;
         file.items.retain(|item| !matches!(item, Item::Mod(_)));
         file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));
@@ -40,6 +45,7 @@ fn runtime(files: &[(&str, &str)]) -> Result<TokenStream, syn::Error> {
         /// What the surfaces need to run.
         #[allow(dead_code, missing_docs, clippy::pedantic, clippy::nursery)]
         pub mod runtime {
+            #errors
             pub use grid::GridError;
             pub use regularity::Regularity;
             pub use surface::{Domain, Surface};

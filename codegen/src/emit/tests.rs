@@ -22,6 +22,7 @@ fn artifact(name: &str, example: &Example) -> Artifact {
         coordinate_degrees,
         degree: (largest(coordinate_degrees.map(|d| d.0)), largest(coordinate_degrees.map(|d| d.1))),
         domain: [[0.0, 1.0], [0.0, 1.0]],
+        symbols: Vec::new(),
         control_net: vec![[1.0, 0.5, -0.25, 1e-7]],
         program: round(&exact).unwrap(),
     }

@@ -320,6 +320,8 @@ pub enum ProductOperator {
 pub enum RelationOperator {
     /// `==`
     Equal,
+    /// `!=`
+    NotEqual,
     /// `<`
     Less,
     /// `<=`

@@ -12,7 +12,7 @@ impl Parser<'_> {
     /// `not … sum == sum`
     pub(super) fn expression(&mut self) -> Parsed<Expr> {
         self.descend()?;
-        let negations = self.repeated(|kind| kind.is_word("not"));
+        let negations = self.repeated(|kind| kind.is_word("not"))?;
         let mut expr = self.sum()?;
         if let Some(operator) = relation(self.peek()) {
             self.advance();
@@ -55,7 +55,7 @@ impl Parser<'_> {
 
     /// `- … postfix ^ unary`: a power binds more tightly than a sign before it, and its exponent may have a sign.
     fn unary(&mut self) -> Parsed<Expr> {
-        let signs = self.repeated(|kind| *kind == TokenKind::Minus);
+        let signs = self.repeated(|kind| *kind == TokenKind::Minus)?;
         let mut expr = self.postfix()?;
         if *self.peek() == TokenKind::Caret {
             self.advance();
@@ -87,13 +87,16 @@ impl Parser<'_> {
     // The functions above call each other once a level. What they need besides stands in functions of its own, so
     // that each level takes little of the stack.
 
-    /// The places of the tokens of one kind that stand here.
-    fn repeated(&mut self, is_kind: fn(&TokenKind) -> bool) -> Vec<Span> {
+    /// The places of the tokens of one kind that stand here, unless there are too many.
+    fn repeated(&mut self, is_kind: fn(&TokenKind) -> bool) -> Parsed<Vec<Span>> {
         let mut places = Vec::new();
         while is_kind(self.peek()) {
+            if places.len() == MAX_DEPTH {
+                return self.too_deep(self.span());
+            }
             places.push(self.advance());
         }
-        places
+        Ok(places)
     }
 
     fn prefixed(
@@ -323,6 +326,7 @@ fn product_operator(kind: &TokenKind) -> Option<ProductOperator> {
 fn relation(kind: &TokenKind) -> Option<RelationOperator> {
     Some(match kind {
         TokenKind::EqualEqual => RelationOperator::Equal,
+        TokenKind::NotEqual => RelationOperator::NotEqual,
         TokenKind::Less => RelationOperator::Less,
         TokenKind::LessEqual => RelationOperator::LessEqual,
         TokenKind::Greater => RelationOperator::Greater,

@@ -12,7 +12,7 @@
 //!            | "domain" name "in" sum ".." sum { "," … }
 //!            | "claim" text ":" expression { "," (text | "expect" verdict | "when" expression) }
 //!            | "substitute" name [ "(" names ")" ] "=" expression
-//! expression = { "not" } sum [ ("==" | "<" | "<=" | ">" | ">=") sum ]
+//! expression = { "not" } sum [ ("==" | "!=" | "<" | "<=" | ">" | ">=") sum ]
 //! sum        = product { ("+" | "-") product }
 //! product    = unary { ("*" | "/") unary }
 //! unary      = { "-" } postfix [ "^" unary ]

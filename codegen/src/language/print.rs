@@ -195,6 +195,7 @@ impl fmt::Display for RelationOperator {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             RelationOperator::Equal => "==",
+            RelationOperator::NotEqual => "!=",
             RelationOperator::Less => "<",
             RelationOperator::LessEqual => "<=",
             RelationOperator::Greater => ">",
@@ -278,6 +279,7 @@ mod tests {
                     boxed(),
                     prop_oneof![
                         Just(RelationOperator::Equal),
+                        Just(RelationOperator::NotEqual),
                         Just(RelationOperator::Less),
                         Just(RelationOperator::LessEqual),
                         Just(RelationOperator::Greater),

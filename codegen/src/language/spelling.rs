@@ -10,6 +10,7 @@ use super::token::{Span, TokenKind, shortened};
 pub(super) fn pair(first: char, second: char) -> Option<TokenKind> {
     Some(match (first, second) {
         ('=', '=') => TokenKind::EqualEqual,
+        ('!', '=') => TokenKind::NotEqual,
         ('<', '=') => TokenKind::LessEqual,
         ('>', '=') => TokenKind::GreaterEqual,
         ('.', '.') => TokenKind::DotDot,
@@ -245,7 +246,7 @@ pub(super) fn unknown(character: char, span: Span) -> (Vec<TokenKind>, Diagnosti
             let wrong = Diagnostic::new(span, format!("an invisible character, U+{code:04X}"));
             return (vec![], wrong.help("write a plain space"));
         }
-        '!' => (unknown, "write `not` before a relation"),
+        '!' => (unknown, "write `not` before a relation, or `!=`"),
         '&' => (unknown, "write a claim for each relation, or `when` before a condition"),
         '|' => (unknown, "write `norm2(a)` for the squared length of a vector"),
         '#' => (unknown, "comments begin with `//`"),

@@ -320,6 +320,11 @@ fn nesting_has_a_limit() {
             "{lines:?}"
         );
     }
+    // The place is where the limit is passed.
+    for (sign, column) in [("-", 257), ("not ", 1025)] {
+        let lines = parse_expression("test", &deep(sign, "", 50_000)).expect_err(sign).lines();
+        assert!(lines[0].starts_with(&format!("test:1:{column}: ")), "{lines:?}");
+    }
 }
 
 #[test]

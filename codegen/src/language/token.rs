@@ -87,6 +87,8 @@ pub enum TokenKind {
     Equal,
     /// `==`
     EqualEqual,
+    /// `!=`
+    NotEqual,
     /// `<`
     Less,
     /// `<=`
@@ -136,6 +138,7 @@ impl fmt::Display for TokenKind {
             TokenKind::DotDot => "..",
             TokenKind::Equal => "=",
             TokenKind::EqualEqual => "==",
+            TokenKind::NotEqual => "!=",
             TokenKind::Less => "<",
             TokenKind::LessEqual => "<=",
             TokenKind::Greater => ">",

@@ -10,6 +10,7 @@ use hodograph_algebra::{
 use super::calls::Call;
 use super::expression::shortened;
 use super::fault::Fault;
+use super::group::{CoefficientGroup, CoefficientKind};
 use super::scope::Scope;
 use super::value::{ComplexFraction, Value};
 use crate::language::Span;
@@ -24,6 +25,12 @@ pub(super) struct CurveContext {
     pub(super) parameter: Variable,
     /// What the names of symbolic coefficients begin with.
     pub(super) prefix: String,
+}
+
+impl CurveContext {
+    fn group(&self, kind: CoefficientKind, rows: Vec<Vec<Variable>>) -> CoefficientGroup {
+        CoefficientGroup { curve: self.name.clone(), kind, rows }
+    }
 }
 
 /// The largest degree of symbolic polynomial and rational curves.
@@ -111,8 +118,10 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
                 )?;
             let preimage = Preimage::symbolic(degree, &context.prefix);
             if let Ok(preimage) = &preimage {
-                let numbers = preimage.coefficients().iter().flat_map(|w| [&w.re, &w.im]);
-                scope.announce(numbers.flat_map(Poly::occurring_variables));
+                let row =
+                    |w: &Complex| [&w.re, &w.im].into_iter().flat_map(Poly::occurring_variables).collect();
+                let rows = preimage.coefficients().iter().map(row).collect();
+                scope.announce(context.group(CoefficientKind::Preimage, rows));
             }
             preimage
         }
@@ -262,16 +271,19 @@ fn symbolic(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Va
         let coefficients: Vec<Variable> = (0..=n)
             .map(|i| Variable::new(Variable::SYMBOL, &format!("{}{letter}{i}", context.prefix)))
             .collect();
-        scope.announce(coefficients.iter().cloned());
-        let coefficients: Vec<Poly> = coefficients.iter().map(Poly::variable).collect();
-        Poly::from_coefficients(&context.parameter, &coefficients)
+        let poly: Vec<Poly> = coefficients.iter().map(Poly::variable).collect();
+        (Poly::from_coefficients(&context.parameter, &poly), coefficients)
     };
     let over = |numerator: Poly, weight: &Option<Poly>| match weight {
         Some(weight) => Fraction::new(numerator, [(weight.clone(), 1)]),
         None => numerator.into(),
     };
-    let (x, y) = (coordinate("x"), coordinate("y"));
-    let weight = (call.name == "rational_curve").then(|| coordinate("w"));
+    let ((x, of_x), (y, of_y)) = (coordinate("x"), coordinate("y"));
+    let (weight, of_weight) = (call.name == "rational_curve").then(|| coordinate("w")).unzip();
+    let columns: Vec<Vec<Variable>> = of_weight.into_iter().chain([of_x, of_y]).collect();
+    let kind = if weight.is_some() { CoefficientKind::Rational } else { CoefficientKind::Polynomial };
+    let rows = (0..=n as usize).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect();
+    scope.announce(context.group(kind, rows));
     let position = Vector::new(over(x, &weight), over(y, &weight), Fraction::zero());
     Ok(Value::Curve(curve(scope, &context.parameter, position, KnownProperties::default())))
 }
@@ -302,8 +314,11 @@ fn from_hodograph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Res
         let name = format!("{}_{name}", context.name);
         calculus.symbol_with_derivative(&name, &context.parameter, component.clone()).into()
     });
-    let speed = hodograph_algebra::rational_root(&hodograph.norm2().reduced()).ok();
-    let arclength = speed.map(|speed| {
+    // The speed has the sign that the curve gives it.
+    let speed =
+        plain(scope, context, position.clone(), KnownProperties::default(), Rc::new(calculus.clone()))
+            .speed();
+    let arclength = speed.ok().map(|speed| {
         let name = format!("{}_arclength", context.name);
         calculus.symbol_with_derivative(&name, &context.parameter, speed).into()
     });
@@ -325,8 +340,19 @@ fn with_calculus(
     }
     let calculus = Rc::new(calculus);
     scope.announce_calculus(calculus.clone());
+    Ok(Value::Curve(Rc::new(plain(scope, context, position, known, calculus))))
+}
+
+/// The curve of a clause, over the domain of its parameter.
+fn plain(
+    scope: &Scope,
+    context: &CurveContext,
+    position: Vector,
+    known: KnownProperties,
+    calculus: Rc<Calculus>,
+) -> Curve {
     let domain = scope.domains.get(&context.parameter).cloned();
-    Ok(Value::Curve(Rc::new(Curve::new(&context.parameter, position, domain, known, calculus))))
+    Curve::new(&context.parameter, position, domain, known, calculus)
 }
 
 /// The place of an element of a list.

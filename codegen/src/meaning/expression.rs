@@ -192,7 +192,8 @@ impl Drop for Level {
 fn number(text: &str, span: Span) -> Result<Value, Fault> {
     parse_decimal(text).map(scalar).ok_or_else(|| {
         let message = format!("the number {} is beyond the range", shortened(text));
-        Fault::new(span, message).help("decimals with up to 4096 places up or down are exact here")
+        Fault::new(span, message)
+            .help("numbers of up to 4096 digits, and decimals with as many places, are exact here")
     })
 }
 

@@ -62,10 +62,14 @@ impl Fault {
         self
     }
 
+    /// π outside of angles: it is not algebraic.
+    pub(super) fn pi(span: Span) -> Fault {
+        let fault = Fault::new(span, "pi is not algebraic, so it can only stand in angles");
+        fault.help("write `cos(pi/8)`, `sin(pi/8)` or `exp(I*pi/8)`")
+    }
+
     /// A property that a curve does not have.
     pub(super) fn curve(span: Span, error: &CurveError) -> Fault {
-        let irrational =
-            matches!(error, CurveError::IrrationalSpeed { .. } | CurveError::SpeedChangesSign { .. });
         let help = match error {
             CurveError::IrrationalSpeed { .. } => {
                 "only curves with a rational parametric speed, such as Pythagorean-hodograph curves (`ph`, \
@@ -73,15 +77,34 @@ impl Fault {
             }
             CurveError::SpeedChangesSign { .. } => "state a `domain` on which the curve has no such cusp",
             CurveError::Point => "give a curve whose points differ",
-            CurveError::NotPlanar => "a planar normal needs a curve with one coordinate that is zero",
-            CurveError::ArcLength { .. } => "a polynomial parametric speed, as that of `ph` curves, has one",
+            CurveError::NotPlanar => {
+                "give a curve that lies in a plane; a curve in space has no normal of its own"
+            }
+            CurveError::Line => "write the normal that is meant, a vector of length 1",
+            CurveError::IrrationalPlane { .. } => {
+                "choose symbols in which the plane's unit normal is rational"
+            }
+            CurveError::ArcLength { .. } => {
+                "a parametric speed that is a polynomial, as that of `ph` curves, or the derivative of a rational \
+                 function has a rational one"
+            }
+            CurveError::UnknownArcLength { .. } => {
+                "`regular_curve` and `curve_from_hodograph` have a symbol for it"
+            }
+            CurveError::Pole { .. } => "state a `domain` without this pole",
             CurveError::Straight => "give a curve that bends",
             CurveError::NoDomain => "state `domain`, with the interval of the curve's parameter",
             _ => "",
         };
         let mut fault = Fault::new(span, error.to_string());
-        fault.irrational = irrational;
-        fault.undecidable = matches!(error, CurveError::ArcLength { .. });
+        fault.irrational = matches!(
+            error,
+            CurveError::IrrationalSpeed { .. }
+                | CurveError::SpeedChangesSign { .. }
+                | CurveError::ArcLength { .. }
+        );
+        fault.undecidable =
+            matches!(error, CurveError::UnknownArcLength { .. } | CurveError::IrrationalPlane { .. });
         if help.is_empty() { fault } else { fault.help(help) }
     }
 

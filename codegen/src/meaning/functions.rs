@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, Poly, Rational, Variable, Vector,
-    cos_pi, exp_i_pi, integer, rational_root, sin_pi,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Poly, Rational, Variable,
+    Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
 };
 
 use super::calls::Call;
@@ -102,6 +102,7 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
                 .collect::<Result<Vec<_>, _>>()?;
             Ok(Value::Scalar(Poly::gcd_many(&polys).into()))
         }
+        "resultant" => resultant(scope, call),
         "approx" | "coprime" | "is_rational" | "parallel" | "positive" => {
             let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
             Err(fault.help("relations stand in `claim` clauses"))
@@ -266,11 +267,25 @@ pub(super) fn polynomial(scope: &Scope, expr: &Expr) -> Result<Poly, Fault> {
     })
 }
 
+/// `resultant(f, g, parameter = v)`.
+fn resultant(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let (positional, [by]) = call.with_names(["parameter"])?;
+    let ([f, g], Some(by)) = (positional.as_slice(), by) else {
+        let fault = Fault::new(call.span, "`resultant` takes two polynomials and the parameter to eliminate");
+        return Err(fault.help("write `resultant(f, g, parameter = v)`"));
+    };
+    let by = parameter(scope, by)?;
+    Ok(Value::Scalar(polynomial(scope, f)?.resultant(&polynomial(scope, g)?, &by).into()))
+}
+
 fn homogeneous(scope: &Scope, call: &Call<'_>, expr: &Expr) -> Result<Homogeneous, Fault> {
     let value = scope.evaluate(expr)?;
     match value.bare() {
         Value::Surface(surface) => return Ok(surface.homogeneous().clone()),
         Value::Offset(offset) => {
+            if let Err(OffsetError::SymbolicRadical { surface: Some(surface), .. }) = offset.as_ref() {
+                return Ok(Homogeneous::of(&surface.position, &surface_parameters(scope)));
+            }
             return offset
                 .as_ref()
                 .as_ref()

@@ -6,6 +6,7 @@ use hodograph_algebra::{Curve, Fraction, Interval, Poly, SweptSurface, Variable,
 
 use super::curves::{self, CurveContext};
 use super::fault::Fault;
+use super::group::CoefficientGroup;
 use super::scope::Scope;
 use super::value::{FunctionValue, Value};
 use crate::language::ast::{
@@ -42,8 +43,8 @@ pub struct Model {
     pub kind: ItemKind,
     /// The name.
     pub name: String,
-    /// Where the name stands.
-    pub span: Span,
+    /// Where the formula of the surface stands; for a lemma, its name.
+    pub place: Span,
     /// The documentation, line by line.
     pub docs: Vec<String>,
     /// Where the formula is taken from, as `source` says.
@@ -87,8 +88,9 @@ pub fn models(file: &File) -> (Vec<Model>, Diagnostics) {
 fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
     let before = diagnostics.count();
     let mut scope = Scope::new(parameters(item));
+    scope.has_surface = surface_place(item).is_some();
     for name in parameter_names(item) {
-        if let Some(taken) = Scope::reserved(&name.value) {
+        if let Some(taken) = scope.reserved(&name.value) {
             let message = format!("`{}` {taken}, so it cannot be a parameter", name.value);
             diagnostics.push(Diagnostic::new(name.span, message).help("use another name"));
         }
@@ -161,7 +163,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
     Some(Model {
         kind: item.kind,
         name: item.name.value.clone(),
-        span: item.name.span,
+        place: surface_place(item).unwrap_or(item.name.span),
         docs: item.docs.iter().map(|line| line.value.trim().to_owned()).collect(),
         source,
         formula: formula(item, surface.as_deref()),
@@ -186,6 +188,14 @@ fn formula(item: &Item, surface: Option<&SweptSurface>) -> Vec<String> {
         _ => true,
     };
     item.clauses.iter().filter(defines).map(ToString::to_string).collect()
+}
+
+/// The place of the surface's formula.
+fn surface_place(item: &Item) -> Option<Span> {
+    item.clauses.iter().find_map(|clause| match &clause.kind {
+        ClauseKind::Surface(surface) => Some(surface.value.span()),
+        _ => None,
+    })
 }
 
 /// The parameters of an item: those of its surface, or of its curves and functions.
@@ -308,7 +318,14 @@ fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<Swe
         };
         let domain = [domain(&parameters[0])?, domain(&parameters[1])?];
         check_surface_variables(scope, &position, &parameters, expr.span())?;
-        Ok(SweptSurface::new(position, parameters, domain))
+        let surface = SweptSurface::new(position, parameters, domain);
+        if surface.symbols().is_empty() {
+            return Ok(surface);
+        }
+        let curves = scope.curves();
+        let normals: Vec<Vector> = curves.iter().filter_map(|(_, curve)| curve.normal().ok()).collect();
+        let vectors = curves.iter().map(|(_, curve)| curve.hodograph()).chain(&normals);
+        Ok(surface.with_directions(vectors))
     })
 }
 
@@ -337,8 +354,7 @@ fn check_finite(value: &Value, span: Span) -> Result<(), Fault> {
     let pi = Variable::new(Variable::SYMBOL, "pi");
     let parts = value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components()).unwrap_or_default();
     if parts.iter().any(|part| part.occurring_variables().contains(&pi)) {
-        let fault = Fault::new(span, "pi is not algebraic, so it can only stand in angles");
-        return Err(fault.help("write `cos(pi/8)`, `sin(pi/8)` or `exp(I*pi/8)`"));
+        return Err(Fault::pi(span));
     }
     Ok(())
 }
@@ -521,6 +537,12 @@ pub(super) fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnost
 }
 
 impl Model {
+    /// The symbols that are coefficients of curves, in the order of the clauses.
+    #[must_use]
+    pub fn coefficient_groups(&self) -> &[CoefficientGroup] {
+        &self.scope.groups
+    }
+
     /// The curves of the item by their names; the path comes first, then by name.
     #[must_use]
     pub fn curves(&self) -> Vec<(&str, &Curve)> {

@@ -1,9 +1,12 @@
 //! Judgements: what becomes of the claims of a model, and for what that holds.
 
-use hodograph_algebra::{Variable, budget};
+use std::cmp::Ordering;
+
+use hodograph_algebra::{Fraction, Poly, Variable, budget};
 
 use super::expression::shortened;
 use super::fault::Fault;
+use super::generic;
 use super::item::{Model, check_names};
 use super::relation::{self, Finding};
 use super::scope::Scope;
@@ -45,7 +48,8 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// For what the verdict holds.
     pub scope: String,
-    /// Under which conditions: those of the claim, and the signs that parametric speeds are taken to have.
+    /// Under which conditions, as relations of the language: those of the claim, the signs that parametric speeds are taken
+    /// to have, and for what holds in general, such as a degree, the values of symbols at which it may fail.
     pub condition: Option<String>,
     /// The verdict that the source expects.
     pub expected: Verdict,
@@ -61,20 +65,45 @@ impl Model {
     /// # Errors
     /// A mistake in the claim. A claim that needs more than the budget is *undecided*, not a mistake.
     pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
+        self.judge(claim, limit, true)
+    }
+
+    /// Checks one claim as [`Model::check`] does, for the verdict alone: the condition leaves out the values of symbols at
+    /// which what holds in general may fail. They can take more work than the verdict.
+    ///
+    /// # Errors
+    /// As for [`Model::check`].
+    pub fn check_verdict(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
+        self.judge(claim, limit, false)
+    }
+
+    fn judge(&self, claim: &Claim, limit: u64, with_exceptions: bool) -> Result<Judgement, Box<Diagnostic>> {
         let outcome = budget::with_budget(limit, || {
-            let scope = self.conditioned(claim)?;
-            check_names_at_once(&scope, &claim.relation)?;
-            relation::settle(&scope, &claim.relation)
+            let conditioned = self.conditioned(claim)?;
+            check_names_at_once(&conditioned.scope, &claim.relation)?;
+            let finding = relation::settle(&conditioned.scope, &claim.relation)?;
+            Ok::<_, Fault>((conditioned, finding))
         });
-        let finding = match outcome {
-            Ok(Ok(finding)) => finding,
+        let (conditioned, finding) = match outcome {
+            Ok(Ok((conditioned, finding))) => (Some(conditioned), finding),
             // Something that exists but has no rational form here is no mistake of the claim.
-            Ok(Err(fault)) if fault.undecidable => Finding::undecided(fault.diagnostic.message),
+            Ok(Err(fault)) if fault.undecidable => (None, Finding::undecided(fault.diagnostic.message)),
             Ok(Err(fault)) => return Err(fault.diagnostic),
-            Err(exhausted) => Finding::undecided(exhausted.to_string()),
+            Err(exhausted) => (None, Finding::undecided(exhausted.to_string())),
         };
         let mut conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
         conditions.extend(self.speed_conditions(&claim.relation));
+        if let (Some(conditioned), true) = (conditioned, with_exceptions)
+            && finding.verdict != Verdict::Undecided
+            && !conditioned.scope.symbols.is_empty()
+        {
+            conditions.extend(generic::conditions(
+                &conditioned.scope,
+                &claim.relation,
+                finding.general,
+                &conditioned.nonzero,
+            ));
+        }
         Ok(Judgement {
             id: claim.id.value.clone(),
             sweep: self.name.clone(),
@@ -90,27 +119,13 @@ impl Model {
         })
     }
 
-    /// The scope of a claim with its conditions put in: `when c0 == 1` sets a symbol.
-    fn conditioned(&self, claim: &Claim) -> Result<Scope, Fault> {
-        let mut scope = self.scope.clone();
+    /// The scope of a claim with its conditions put in: `when c0 == 1` sets a symbol, `when c0 != 0` is stated.
+    fn conditioned(&self, claim: &Claim) -> Result<Conditioned, Fault> {
+        let mut conditioned = Conditioned { scope: self.scope.clone(), nonzero: Vec::new() };
         for condition in &claim.conditions {
-            let ExprKind::Relation { left, operator: RelationOperator::Equal, right } = condition.kind()
-            else {
-                return Err(Fault::new(condition.span(), "a condition must set a symbol")
-                    .help("write `when c0 == 1`"));
-            };
-            let ExprKind::Ident(name) = left.kind() else {
-                return Err(
-                    Fault::new(left.span(), "a condition must set a symbol").help("write `when c0 == 1`")
-                );
-            };
-            let symbol = scope.symbols.iter().find(|symbol| symbol.name() == name).cloned();
-            let symbol =
-                symbol.ok_or_else(|| Fault::new(left.span(), format!("`{name}` is not a symbol")))?;
-            let value = scope.scalar(right, "the value of a symbol")?;
-            scope = scope.with_symbol(&symbol, &value, condition.span())?;
+            conditioned = conditioned.with(condition)?;
         }
-        Ok(scope)
+        Ok(conditioned)
     }
 
     /// What must be positive for the curves that a relation is about to have the parametric speed that was used.
@@ -160,6 +175,78 @@ impl Model {
             (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }
+}
+
+/// A scope with the conditions of a claim.
+struct Conditioned {
+    /// The scope, with the values that equations give to symbols.
+    scope: Scope,
+    /// Polynomials that do not vanish.
+    nonzero: Vec<Poly>,
+}
+
+impl Conditioned {
+    /// The same with one more condition.
+    fn with(mut self, condition: &Expr) -> Result<Conditioned, Fault> {
+        let wrong = |message: &str| {
+            Fault::new(condition.span(), message)
+                .help("write `when c0 == 1`, `when c0 != 0` or `when c0 > 0`")
+        };
+        let (inner, negated) = match condition.kind() {
+            ExprKind::Not(inner) => (inner.as_ref(), true),
+            _ => (condition, false),
+        };
+        let ExprKind::Relation { left, operator, right } = inner.kind() else {
+            return Err(wrong("a condition is an equation or an inequality of symbols"));
+        };
+        let side = |expr: &Expr| self.scope.scalar(expr, "a side of a condition");
+        let difference = (&side(left)? - &side(right)?).reduced();
+        let foreign = |variable: &Variable| {
+            self.scope.parameters.contains(variable) || self.scope.calculus.is_function(variable)
+        };
+        if difference.occurring_variables().iter().any(foreign) {
+            return Err(wrong("a condition is about symbols, which do not depend on parameters"));
+        }
+        let holds = |operator: RelationOperator, sign: Ordering| match operator {
+            RelationOperator::Equal => sign.is_eq(),
+            RelationOperator::NotEqual => sign.is_ne(),
+            RelationOperator::Less => sign.is_lt(),
+            RelationOperator::LessEqual => sign.is_le(),
+            RelationOperator::Greater => sign.is_gt(),
+            RelationOperator::GreaterEqual => sign.is_ge(),
+        };
+        if let Some(number) = difference.to_number() {
+            return match holds(*operator, number.sign()) != negated {
+                true => Ok(self),
+                false => Err(wrong("this condition never holds")),
+            };
+        }
+        let allowed = |sign: Ordering| holds(*operator, sign) != negated;
+        if !allowed(Ordering::Equal) {
+            self.nonzero.push(difference.numerator().clone());
+        } else if !allowed(Ordering::Less) && !allowed(Ordering::Greater) {
+            let (symbol, value) = solved(&difference).ok_or_else(|| {
+                wrong(
+                    "this equation cannot be solved for a symbol: none stands in it linearly, times a number",
+                )
+            })?;
+            self.scope = self.scope.with_symbol(&symbol, &value, condition.span())?;
+        }
+        Ok(self)
+    }
+}
+
+/// A symbol in which an equation `f = 0` is linear, with a number as its coefficient, and its value. The last one is taken,
+/// so that `c1 == 2*c0` sets c1.
+fn solved(equation: &Fraction) -> Option<(Variable, Fraction)> {
+    let numerator = equation.numerator();
+    let linear = |symbol: &Variable| {
+        numerator.degree(symbol) == Some(1) && numerator.coefficients(symbol)[1].is_constant()
+    };
+    let symbol = numerator.occurring_variables().into_iter().rev().find(linear)?;
+    let coefficients = numerator.coefficients(&symbol);
+    let value = -(&coefficients[0] * coefficients[1].inverse());
+    Some((symbol, value.into()))
 }
 
 /// The names in an expression.

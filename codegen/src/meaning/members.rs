@@ -13,6 +13,7 @@ use crate::language::{Span, closest};
 /// The members of curves.
 const CURVE_MEMBERS: &[&str] = &[
     "arclength",
+    "axis",
     "curvature",
     "evolute",
     "hodograph",
@@ -79,6 +80,7 @@ fn curve_member(curve: &Rc<Curve>, span: Span, member: &Name) -> Result<Value, F
         "hodograph" => Ok(Value::Vector(curve.hodograph().clone())),
         "tangent" => vector(curve.tangent()),
         "normal" => vector(curve.normal()),
+        "axis" => vector(curve.axis()),
         "involute" => vector(curve.involute()),
         "evolute" => vector(curve.evolute()),
         "offset" => {

@@ -97,7 +97,7 @@
 //! | `i`, `j`, `k` | the unit vectors in the x-, y- and z-direction |
 //! | `I` | the imaginary unit |
 //! | `pi` | π, which stands in angles only |
-//! | `W`, `X`, `Y`, `Z` | after `surface`: its homogeneous coordinates |
+//! | `W`, `X`, `Y`, `Z` | in a sweep: the surface's homogeneous coordinates, known after `surface` |
 //! | names of parameters | the parameter; it needs no clause |
 //! | names of functions | those below |
 //! | `sqrt2`, …, `theta`, `theta2`, … | how square roots are printed; write `sqrt(2)` |
@@ -181,6 +181,28 @@
 //!   stands for its four homogeneous coordinates. Zero has the degree −1. Errors: denominators, unknown functions, a
 //!   lemma with more or fewer than two parameters. In a lemma the parameters come in alphabetical order.
 //! - `degree(f, g, …, parameter = v)`: the degree in one parameter.
+//! - `resultant(f, g, parameter = v)`: the resultant of two polynomials in one parameter, a polynomial in the other
+//!   variables. It vanishes where they have a common zero, real or complex, or where both leading coefficients vanish.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"lemma polynomials {
+//!     symbol c;
+//!     let f(u, v) = u^2*v - 1;
+//!     claim "gcd": gcd(2*v^2 - 2, 3*v + 3) == v + 1;
+//!     claim "degrees": degree(f, v^3) == (2, 3);
+//!     claim "degree": degree(f, parameter = u) == 2;
+//!     claim "resultant": resultant(v^2 + 1, v - c, parameter = v) == c^2 + 1;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[3].1, "both sides are c^2 + 1");
+//! ```
 //!
 //! ## Surfaces
 //!
@@ -284,6 +306,7 @@
 //! | `hodograph` | the derivative `s'` | |
 //! | `speed` | the parametric speed `σ = ‖s'‖` | (2) |
 //! | `tangent` | the unit tangent `t = s'/σ` | (3) |
+//! | `axis` | the unit vector `e` orthogonal to the plane of the curve | |
 //! | `normal` | the unit normal `n = t × e`, to the right of the tangent | (3) |
 //! | `curvature` | the signed curvature `κ = (s' × s'')·e/σ³` | (5) |
 //! | `arclength` | the arc length `∫σ` from the beginning of the domain, or from 0 without one | (6) |
@@ -292,16 +315,20 @@
 //! | `involute` | `s − s(v)·t`, with the arc length `s(v)` | (24) |
 //! | `evolute` | `s − n/κ` | (28) |
 //!
-//! `e` is the unit vector orthogonal to the coordinate plane of the curve: `k` in the xy-plane, `j` in the xz-plane,
-//! `i` in the yz-plane. Errors:
+//! A curve may lie in any plane. The last component of `e` that is not zero is positive: `e` is `k` in the xy-plane, `j` in
+//! the xz-plane, `i` in the yz-plane, and `(-3, 0, 4)/5` in the plane 4z = 3x. For a straight line, which lies in many
+//! planes, it is that of the coordinate plane in which it lies, else of one to which it is parallel; xy before xz before
+//! yz. Errors:
 //!
-//! - `speed`, and all that contains it (everything below it in the table): the curve is a point; `‖s'‖²` is not the
-//!   square of a rational function; the root of it changes its sign on the domain, or anywhere if there is none. Where
-//!   the sign depends on symbols, what is claimed of the curve holds under a condition such as `c > 0`: see
+//! - `speed`, and `tangent`, `normal`, `curvature`, `arclength` and all below it in the table: the curve is a point; `‖s'‖²`
+//!   is not the square of a rational function; the root of it changes its sign on the domain, or anywhere if there is
+//!   none. Where the sign depends on symbols, what is claimed of the curve holds under a condition such as `c > 0`: see
 //!   [`Judgement::condition`].
-//! - `normal`, `curvature`, `offset`, `evolute`: the curve lies in none of the coordinate planes.
-//! - `arclength`, `length`, `involute`: the speed is not a polynomial in the parameter, so that no rational integral of
-//!   it is known. `length` needs a domain.
+//! - `axis`, `normal`, `curvature`, `offset`, `evolute`: the curve lies in no plane, or is a straight line that is parallel
+//!   to no coordinate plane; or `e` contains the square root of a polynomial in symbols.
+//! - `arclength`, `length`, `involute`: the integral of the speed is not a rational function, since it contains logarithms
+//!   or arctangents, which the message shows; it is not known, since unknown functions occur in it; the speed has a pole
+//!   on the domain. Symbols stand for general values. `length` needs a domain.
 //! - `evolute`: the curvature is zero everywhere.
 //!
 //! ```
@@ -321,6 +348,7 @@
 //!     claim "(2)": s.speed == 1 + v^2;
 //!     claim "(3)": s.tangent(1) == j;
 //!     claim "(3)": s.normal(1) == i;
+//!     claim "axis": s.axis == k;
 //!     claim "(5)": s.curvature == 2/(1 + v^2)^2;
 //!     claim "(6)": s.arclength == v + v^3/3;
 //!     claim "(6)": s.length == 4/3;
@@ -329,7 +357,36 @@
 //!     claim "(28)": s.evolute(1) == (-4/3, 1);
 //! }"#);
 //! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
-//! assert_eq!(judgements[7].1, "both sides are 4/3");
+//! assert_eq!(judgements[8].1, "both sides are 4/3");
+//! ```
+//!
+//! Rational curves, and curves in other planes, have the same members. The speed of this one in the plane x = y is the
+//! derivative of a rational function; that of the circle is not:
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"lemma arc_lengths {
+//!     curve s(v) = (3*v^2 - 1)/(3*v^3)*(i + j)/sqrt(2) - k/v^2;
+//!     curve c(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2));
+//!     domain v in 1..2;
+//!     claim "speed": s.speed == (1 + v^2)/v^4;
+//!     claim "axis": s.axis == (j - i)/sqrt(2);
+//!     claim "arc length": s.arclength == 4/3 - 1/v - 1/(3*v^3);
+//!     claim "circle": is_rational(c.arclength);
+//! }"#);
+//! let verdicts: Vec<&str> = judgements.iter().map(|(verdict, _)| verdict.as_str()).collect();
+//! assert_eq!(verdicts, ["proved", "proved", "proved", "refuted"]);
+//! assert_eq!(
+//!     judgements[3].1,
+//!     "the arc length is not rational: the integral of the parametric speed 2/(v^2 + 1) consists of logarithms or \
+//!      arctangents",
+//! );
 //! ```
 //!
 //! Where symbols decide on the sign of the parametric speed, its condition is part of the judgement:
@@ -355,12 +412,13 @@
 //! # Claims
 //!
 //! `claim "id": relation, "note", expect refuted, when c == 1;` settles a relation. After it stand, in any order,
-//! remarks, the verdict that is expected (*proved* if none is given), and conditions; each `when` puts a scalar in
-//! place of a symbol. Ids need not be unique.
+//! remarks, the verdict that is expected (*proved* if none is given), and conditions; see *Conditions*. Ids need not be
+//! unique.
 //!
 //! | relation | holds if |
 //! | --- | --- |
 //! | `a == b` | both are the same function: scalars, complex numbers, vectors, tuples of one length |
+//! | `a != b` | they are not: `not a == b` |
 //! | `a < b`, `a <= b`, `a > b`, `a >= b` | it holds for the scalars at all points of the domain |
 //! | `degree(…) == (2, 9)` | the degrees are these; with `<=` and the others, if it holds for both |
 //! | `degree(…, parameter = v) == 4` | the degree is this |
@@ -376,12 +434,12 @@
 //!   exceeds the budget. `not` leaves them undecided.
 //! - An inequality needs a domain for each parameter that occurs; the ends of the intervals belong to it.
 //! - What is proved of symbols and unknown functions holds for all of their values, except that degrees and common
-//!   factors are those of general values: special values can lower a degree. What is refuted may hold for special
-//!   values. [`Judgement::scope`] says it.
+//!   factors are those of general values: special values of symbols can lower a degree, and which ones do stands among
+//!   the *Conditions*. What is refuted may hold for special values. [`Judgement::scope`] says it.
 //! - Where an equality, `parallel` or an inequality is refuted, [`Judgement::witness`] is a point at which it fails,
 //!   with both sides.
-//! - `is_rational` is refuted for irrational speeds and roots, for what is made of them, and for offsets of surfaces;
-//!   in other parameters they may be rational.
+//! - `is_rational` is refuted for irrational speeds, arc lengths and roots, for what is made of them, and for offsets of
+//!   surfaces; in other parameters they may be rational.
 //!
 //! ```
 //! # use hodograph_codegen::{language::parse_text, meaning::{Judgement, models}};
@@ -418,6 +476,38 @@
 //! assert_eq!(judgements[9].condition.as_deref(), Some("c == 1"));
 //! ```
 //!
+//! ## Conditions
+//!
+//! [`Judgement::condition`] is what must hold of the symbols, which are real: relations of the language, joined by `and`.
+//!
+//! - Stated ones: `when c1 == 2*c0` puts a scalar in place of a symbol, the last one in which the equation is linear with a
+//!   number for its coefficient; `when c0 != 0`, `when c0 > 0`, `when not c0 <= 1` are taken for granted. They contain no
+//!   parameters. Errors: an equation that cannot be solved; a condition that never holds.
+//! - The signs that parametric speeds are taken to have.
+//! - For a statement on degrees, `coprime`, and an equation with `gcd`, `homogeneous` or a homogeneous coordinate: that not
+//!   all leading coefficients vanish, and that no new common factor appears (of surfaces, that W is not zero either). A
+//!   bound that special values cannot break, such as `degree(X) <= (2, 9)`, needs none. Two polynomials with a resultant
+//!   that is too long are given as `resultant(f, g, parameter = v) != 0`. `general values of the symbols` stands for what
+//!   is not determined within the budget. See [`Conditions`](hodograph_algebra::Conditions).
+//!
+//! ```
+//! use hodograph_codegen::{language::parse_text, meaning::models};
+//!
+//! let text = r#"sweep parabolas {
+//!     symbol a, b, c;
+//!     surface R = (u, v*(u - a)/(u - b), c*v^2);
+//!     domain u in 0..1, v in 0..1;
+//!     claim "Z": degree(Z) == (1, 2);
+//!     claim "Z": degree(Z) == (1, 2), when c > 0;
+//!     claim "Z": degree(Z) == (1, 2), when a == b + 1;
+//!     claim "bound": degree(Z) <= (1, 2);
+//! }"#;
+//! let (models, _mistakes) = models(&parse_text("parabolas.sweep", text).unwrap().0);
+//! let condition = |claim| models[0].check(claim, u64::MAX).unwrap().condition.unwrap_or_default();
+//! let conditions: Vec<String> = models[0].claims.iter().map(condition).collect();
+//! assert_eq!(conditions, ["c != 0 and a - b != 0", "c > 0 and a - b != 0", "a == b + 1 and c != 0", ""]);
+//! ```
+//!
 //! # Limits
 //!
 //! | what | limit |
@@ -425,7 +515,7 @@
 //! | length of a text | 2²⁰ bytes ([`MAX_LENGTH`](crate::language::MAX_LENGTH)) |
 //! | nesting of an expression | 256 levels to be read ([`MAX_DEPTH`](crate::language::MAX_DEPTH)), 64 to be evaluated |
 //! | exponents | ±1000 ([`MAX_EXPONENT`]) |
-//! | decimals | 4096 places up or down ([`MAX_DECIMAL_EXPONENT`](hodograph_algebra::MAX_DECIMAL_EXPONENT)) |
+//! | numbers | 4096 digits; decimals up to 4096 places up or down ([`MAX_DECIMAL_EXPONENT`](hodograph_algebra::MAX_DECIMAL_EXPONENT)) |
 //! | independent square roots in a number | 16 |
 //! | order of `diff` | 100; 6 for an unknown function |
 //! | degree of `ph(n)`; of symbolic curves | 201; 32 |
@@ -455,6 +545,8 @@ mod curves;
 mod expression;
 mod fault;
 mod functions;
+mod generic;
+mod group;
 mod item;
 mod judgement;
 mod members;
@@ -465,6 +557,7 @@ mod value;
 mod witness;
 
 pub use expression::MAX_EXPONENT;
+pub use group::{CoefficientGroup, CoefficientKind};
 pub use item::{Model, models};
 pub use judgement::Judgement;
 pub use number::number;

@@ -37,6 +37,16 @@ impl Finding {
         Finding { verdict: Verdict::Undecided, general: false, ..Finding::new(false, derived) }
     }
 
+    /// The finding on the opposite relation.
+    fn negated(self) -> Finding {
+        let verdict = match self.verdict {
+            Verdict::Proved => Verdict::Refuted,
+            Verdict::Refuted => Verdict::Proved,
+            Verdict::Undecided => Verdict::Undecided,
+        };
+        Finding { verdict, ..self }
+    }
+
     fn in_general(self, general: bool) -> Finding {
         Finding { general, ..self }
     }
@@ -60,16 +70,16 @@ impl Finding {
 
 /// Settles a relation.
 pub(super) fn settle(scope: &Scope, relation: &Expr) -> Result<Finding, Fault> {
+    let finding = finding(scope, relation)?;
+    match finding.variables.iter().find(|variable| variable.name() == "pi") {
+        Some(_) => Err(Fault::pi(relation.span())),
+        None => Ok(finding),
+    }
+}
+
+fn finding(scope: &Scope, relation: &Expr) -> Result<Finding, Fault> {
     match relation.kind() {
-        ExprKind::Not(inner) => {
-            let finding = settle(scope, inner)?;
-            let verdict = match finding.verdict {
-                Verdict::Proved => Verdict::Refuted,
-                Verdict::Refuted => Verdict::Proved,
-                Verdict::Undecided => Verdict::Undecided,
-            };
-            Ok(Finding { verdict, ..finding })
-        }
+        ExprKind::Not(inner) => Ok(finding(scope, inner)?.negated()),
         ExprKind::Relation { left, operator, right } => compare(scope, left, *operator, right),
         ExprKind::Call { callee, arguments } => match callee.kind() {
             ExprKind::Ident(name) => predicate(scope, relation, name, arguments),
@@ -136,18 +146,26 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
             |test: fn(&i64, &i64) -> bool| degree.degrees.iter().zip(&stated).all(|(a, b)| test(a, b));
         let holds = match operator {
             RelationOperator::Equal => holds(i64::eq),
+            RelationOperator::NotEqual => !holds(i64::eq),
             RelationOperator::LessEqual => holds(i64::le),
             RelationOperator::GreaterEqual => holds(i64::ge),
             RelationOperator::Less => holds(i64::lt),
             RelationOperator::Greater => holds(i64::gt),
         };
         // Special values of the coefficients can only lower a degree.
-        let bound = matches!(operator, RelationOperator::LessEqual | RelationOperator::Less);
-        let finding = Finding::new(holds, derived).in_general(!(holds && bound));
+        let beyond = degree.degrees.iter().zip(&stated).any(|(derived, stated)| stated > derived);
+        let certain = match operator {
+            RelationOperator::LessEqual | RelationOperator::Less => holds,
+            RelationOperator::GreaterEqual | RelationOperator::Greater => !holds,
+            RelationOperator::Equal | RelationOperator::NotEqual => beyond,
+        };
+        let finding = Finding::new(holds, derived).in_general(!certain);
         return Ok(finding.about_variables(degree.variables.iter().cloned()));
     }
-    if operator == RelationOperator::Equal {
-        return equality(scope, left, &a, right, &b);
+    match operator {
+        RelationOperator::Equal => return equality(scope, left, &a, right, &b),
+        RelationOperator::NotEqual => return Ok(equality(scope, left, &a, right, &b)?.negated()),
+        _ => {}
     }
     let side = |value: &Value, expr: &Expr| {
         value.scalar().ok_or_else(|| {
@@ -272,7 +290,7 @@ fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
                     Ok(Finding::new(true, format!("rational, of degree {degree}"))
                         .about(surface.position().components()))
                 }
-                Err(error @ OffsetError::SymbolicRadical { radicand }) => {
+                Err(error @ OffsetError::SymbolicRadical { radicand, .. }) => {
                     Ok(Finding::new(true, error.to_string()).about_variables(
                         radicand.occurring_variables().into_iter().chain(scope.symbols.iter().cloned()),
                     ))

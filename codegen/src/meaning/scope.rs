@@ -4,12 +4,11 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use hodograph_algebra::{
-    Calculus, Curve, Fraction, Interval, KnownProperties, Poly, SweptSurface, Variable, Vector,
-};
+use hodograph_algebra::{Calculus, Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector};
 
 use super::calls::substitute;
 use super::fault::Fault;
+use super::group::CoefficientGroup;
 use super::value::{ComplexFraction, FunctionValue, Value};
 use crate::language::ast::Name;
 use crate::language::{Diagnostic, Span, closest};
@@ -43,6 +42,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "rational_curve",
     "re",
     "regular_curve",
+    "resultant",
     "sin",
     "sqrt",
 ];
@@ -56,7 +56,7 @@ const CONSTANTS: &[&str] = &["I", "i", "j", "k", "pi"];
 /// What a clause introduces besides its own name.
 #[derive(Clone, Debug, Default)]
 struct News {
-    symbols: Vec<Variable>,
+    groups: Vec<CoefficientGroup>,
     calculus: Option<Rc<Calculus>>,
 }
 
@@ -72,12 +72,16 @@ pub(super) struct Scope {
     pub(super) domains: BTreeMap<Variable, Interval>,
     /// Unknown constants, in the order of their declaration.
     pub(super) symbols: Vec<Variable>,
+    /// Symbols that are coefficients of curves.
+    pub(super) groups: Vec<CoefficientGroup>,
     /// Unknown functions.
     pub(super) calculus: Rc<Calculus>,
     /// The curve that the clause under way defines.
     pub(super) curve: Option<super::curves::CurveContext>,
     /// Symbols and rules that the clause under way introduces.
     news: RefCell<News>,
+    /// Whether the item has a surface, be it further down.
+    pub(super) has_surface: bool,
     /// The item's own surface.
     pub(super) surface: Option<Rc<SweptSurface>>,
 }
@@ -91,16 +95,18 @@ impl Scope {
             parameters,
             domains: BTreeMap::new(),
             symbols: Vec::new(),
+            groups: Vec::new(),
             calculus: Rc::default(),
             curve: None,
             news: RefCell::default(),
+            has_surface: false,
             surface: None,
         }
     }
 
-    /// Introduces symbols with the clause under way.
-    pub(super) fn announce(&self, symbols: impl IntoIterator<Item = Variable>) {
-        self.news.borrow_mut().symbols.extend(symbols);
+    /// Introduces a curve's symbolic coefficients with the clause under way.
+    pub(super) fn announce(&self, group: CoefficientGroup) {
+        self.news.borrow_mut().groups.push(group);
     }
 
     /// Introduces rules for derivatives with the clause under way.
@@ -110,13 +116,15 @@ impl Scope {
 
     /// Takes over what the clause that stands at `span` has introduced.
     pub(super) fn settle(&mut self, span: Span) -> Result<(), Fault> {
-        let mut news = self.news.take();
+        let news = self.news.take();
         if let Some(calculus) = news.calculus {
             self.calculus = calculus;
         }
-        news.symbols.sort();
-        news.symbols.dedup();
-        for symbol in news.symbols {
+        let mut symbols: Vec<Variable> = news.groups.iter().flat_map(|group| group.rows.concat()).collect();
+        symbols.sort();
+        symbols.dedup();
+        self.groups.extend(news.groups);
+        for symbol in symbols {
             let name = Name { value: symbol.name().to_owned(), span };
             self.define(&name, Value::Scalar(Poly::variable(&symbol).into()))?;
             self.symbols.push(symbol);
@@ -139,12 +147,10 @@ impl Scope {
             let diagnostic = Diagnostic::new(name.span, message).also(*first, "first defined here");
             return Err(diagnostic.help("use another name").into());
         }
-        let taken = if let Some(taken) = Scope::reserved(text) {
+        let taken = if let Some(taken) = self.reserved(text) {
             taken
         } else if self.parameters.iter().any(|parameter| parameter.name() == text) {
             "is a parameter"
-        } else if self.surface.is_some() && COORDINATES.contains(&text) {
-            "is a homogeneous coordinate of the surface"
         } else if self.calculus.is_function(&Variable::new(Variable::SYMBOL, text)) {
             "stands for a derivative of an unknown function, or for a coordinate of a curve"
         } else {
@@ -153,12 +159,14 @@ impl Scope {
         Err(Fault::new(name.span, format!("`{text}` {taken}")).help("use another name"))
     }
 
-    /// Why no item can define this name, if that is so.
-    pub(super) fn reserved(name: &str) -> Option<&'static str> {
+    /// Why the item can neither define this name nor use it for a parameter, if that is so.
+    pub(super) fn reserved(&self, name: &str) -> Option<&'static str> {
         if CONSTANTS.contains(&name) || FUNCTIONS.contains(&name) {
             Some("has a meaning of its own")
         } else if is_radical(name) {
             Some("is reserved for square roots")
+        } else if self.has_surface && COORDINATES.contains(&name) {
+            Some("is a homogeneous coordinate of the surface")
         } else {
             None
         }
@@ -267,12 +275,18 @@ impl Scope {
         span: Span,
     ) -> Result<Scope, Fault> {
         let values = BTreeMap::from([(symbol.clone(), value.clone())]);
+        let undefined = || {
+            let message = format!("a derivative is not defined at {symbol} = {value}");
+            Fault::new(span, message).help("its denominator vanishes there")
+        };
         let mut scope = self.clone();
+        scope.calculus = Rc::new(self.calculus.specialized(&values).ok_or_else(undefined)?);
+        let context = scope.clone();
         for (known, _) in scope.values.values_mut() {
-            *known = specialize(self, span, known, &values)?;
+            *known = specialize(&context, span, known, &values)?;
         }
         if let Some(surface) = &self.surface {
-            scope.surface = Some(Rc::new(specialized_surface(self, span, surface, &values)?));
+            scope.surface = Some(Rc::new(specialized_surface(&context, span, surface, &values)?));
         }
         scope.symbols.retain(|other| other != symbol);
         Ok(scope)
@@ -360,7 +374,7 @@ fn specialize(
         Value::Curve(curve) => {
             let position = substitute(scope, span, value, values)?.vector().unwrap_or_else(Vector::zero);
             let domain = scope.domains.get(curve.parameter()).cloned();
-            let known = KnownProperties::default();
+            let known = curve.known_for(values);
             Value::Curve(Rc::new(Curve::new(
                 curve.parameter(),
                 position,

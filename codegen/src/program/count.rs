@@ -83,7 +83,7 @@ impl<C: Constant> Program<C> {
     /// The operations of all stages that `results` take: those of a single evaluation.
     #[must_use]
     pub fn count_all(&self, results: &[Value]) -> OperationCounts {
-        let stages = [Stage::Constant, Stage::V, Stage::U, Stage::Both];
+        let stages = [Stage::Constant, Stage::Symbols, Stage::V, Stage::U, Stage::Both];
         stages.iter().fold(OperationCounts::default(), |sum, &stage| sum + self.count(results, stage))
     }
 }

@@ -11,7 +11,7 @@ pub trait Arithmetic<C> {
 
     /// The number that stands for a constant of the program.
     fn constant(&self, constant: &C) -> Self::Number;
-    /// The number that stands for a parameter.
+    /// The number that stands for a parameter or a symbol.
     fn input(&self, input: Input) -> Self::Number;
     /// a + b
     fn add(&self, a: &Self::Number, b: &Self::Number) -> Self::Number;
@@ -76,14 +76,16 @@ pub fn interpret<C: Constant, A: Arithmetic<C>>(
 
 /// The arithmetic of `f64`, at one point: it computes what emitted code computes, bit for bit.
 #[derive(Clone, Copy, Debug)]
-pub struct Floats {
+pub struct Floats<'a> {
     /// The first parameter.
     pub u: f64,
     /// The second parameter.
     pub v: f64,
+    /// The program's symbols, in its order; NaN stands for missing ones.
+    pub symbols: &'a [f64],
 }
 
-impl Arithmetic<f64> for Floats {
+impl Arithmetic<f64> for Floats<'_> {
     type Number = f64;
 
     fn constant(&self, constant: &f64) -> f64 {
@@ -94,6 +96,7 @@ impl Arithmetic<f64> for Floats {
         match input {
             Input::U => self.u,
             Input::V => self.v,
+            Input::Symbol(place) => self.symbols.get(place as usize).copied().unwrap_or(f64::NAN),
         }
     }
 
@@ -136,7 +139,7 @@ mod tests {
         let quotient = program.divide(product, v);
         let root = program.square_root(quotient);
         let negative = program.negate(root);
-        let numbers = interpret(&program, &[negative, product, u], &Floats { u: 6.0, v: 2.0 });
+        let numbers = interpret(&program, &[negative, product, u], &Floats { u: 6.0, v: 2.0, symbols: &[] });
         assert_eq!(numbers, Ok(vec![-(18.0_f64.sqrt()), 36.0, 6.0]));
     }
 }

@@ -10,6 +10,7 @@
 
 mod count;
 mod interpret;
+mod terms;
 mod text;
 mod verify;
 
@@ -17,6 +18,7 @@ use std::collections::BTreeMap;
 
 pub use count::OperationCounts;
 pub use interpret::{Arithmetic, Floats, Undefined, interpret};
+pub use terms::Term;
 pub use verify::{Fault, verify};
 
 /// A value of a [`Program`], by its place in the program.
@@ -31,13 +33,36 @@ impl Value {
     }
 }
 
-/// A parameter of the surface.
+/// What a program is run with: a parameter of the surface, or a coefficient that is known at run time.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Input {
     /// The first parameter, u.
     U,
     /// The second parameter, v.
     V,
+    /// The symbol at this place in [`Program::symbols`].
+    Symbol(u32),
+}
+
+impl Input {
+    /// The stage at which it is known.
+    #[must_use]
+    pub fn stage(self) -> Stage {
+        match self {
+            Input::U => Stage::U,
+            Input::V => Stage::V,
+            Input::Symbol(_) => Stage::Symbols,
+        }
+    }
+
+    /// A number that tells it from other inputs.
+    pub(crate) fn key(self) -> u32 {
+        match self {
+            Input::U => 0,
+            Input::V => 1,
+            Input::Symbol(place) => place.saturating_add(2),
+        }
+    }
 }
 
 /// What a value waits for: the least stage is known first.
@@ -48,6 +73,8 @@ pub enum Input {
 pub enum Stage {
     /// Known when the program is made.
     Constant,
+    /// Depends on symbols alone: once for each surface of a family.
+    Symbols,
     /// Depends on v alone: once for each row of a grid.
     V,
     /// Depends on u alone: once for each column of a grid.
@@ -72,7 +99,7 @@ impl Stage {
 pub enum Operation<C> {
     /// A constant.
     Constant(C),
-    /// A parameter.
+    /// A parameter or a symbol.
     Input(Input),
     /// a + b
     Add(Value, Value),
@@ -109,6 +136,8 @@ pub trait Constant: Clone + PartialEq {
     fn is_zero(&self) -> bool;
     /// Whether it is 1.
     fn is_one(&self) -> bool;
+    /// A number that equal constants share.
+    fn fingerprint(&self) -> u64;
 }
 
 impl Constant for f64 {
@@ -118,6 +147,11 @@ impl Constant for f64 {
 
     fn is_one(&self) -> bool {
         *self == 1.0
+    }
+
+    fn fingerprint(&self) -> u64 {
+        // Both zeros are equal.
+        if *self == 0.0 { 0 } else { self.to_bits() }
     }
 }
 
@@ -133,7 +167,7 @@ pub struct Table {
     pub name: String,
     /// The polynomial as a mathematician writes it.
     pub formula: String,
-    /// The coefficients of 1, x, x², … as values of stage [`Stage::Constant`].
+    /// The coefficients of 1, x, x², … as values that depend on no parameter.
     pub coefficients: Vec<Value>,
 }
 
@@ -158,7 +192,7 @@ pub struct Output {
 /// program.output("sum", vec![sum]);
 /// assert_eq!(program.stage(square), Stage::U);
 /// assert_eq!(program.stage(sum), Stage::Both);
-/// let values = interpret(&program, &[sum], &Floats { u: 3.0, v: 0.5 }).unwrap();
+/// let values = interpret(&program, &[sum], &Floats { u: 3.0, v: 0.5, symbols: &[] }).unwrap();
 /// assert_eq!(values, [9.5]);
 /// ```
 #[derive(Clone, Debug)]
@@ -168,6 +202,9 @@ pub struct Program<C> {
     names: BTreeMap<Value, String>,
     tables: Vec<Table>,
     outputs: Vec<Output>,
+    symbols: Vec<String>,
+    /// All constants, by their fingerprints.
+    constants: BTreeMap<u64, Vec<Value>>,
     /// Operations without constants, by a key that tells them apart.
     known: BTreeMap<(u8, u32, u32), Value>,
 }
@@ -188,22 +225,37 @@ impl<C: Constant> Program<C> {
             names: BTreeMap::new(),
             tables: Vec::new(),
             outputs: Vec::new(),
+            symbols: Vec::new(),
+            constants: BTreeMap::new(),
             known: BTreeMap::new(),
         }
     }
 
     /// The constant `constant`.
     pub fn constant(&mut self, constant: C) -> Value {
+        let fingerprint = constant.fingerprint();
         let operation = Operation::Constant(constant);
-        match self.operations.iter().position(|known| *known == operation) {
-            Some(place) => Value(place as u32),
-            None => self.push(operation),
+        let alike = self.constants.get(&fingerprint).into_iter().flatten();
+        if let Some(&value) = alike.into_iter().find(|&&value| *self.operation(value) == operation) {
+            return value;
         }
+        let value = self.push(operation);
+        self.constants.entry(fingerprint).or_default().push(value);
+        value
     }
 
-    /// A parameter.
+    /// A parameter, or a symbol of the program.
     pub fn input(&mut self, input: Input) -> Value {
-        self.unique((0, input as u32, 0), Operation::Input(input))
+        self.unique((0, input.key(), 0), Operation::Input(input))
+    }
+
+    /// The symbol of this name, a coefficient that is known when the program is run.
+    pub fn symbol(&mut self, name: &str) -> Value {
+        let place = self.symbols.iter().position(|known| known == name).unwrap_or_else(|| {
+            self.symbols.push(name.to_string());
+            self.symbols.len() - 1
+        });
+        self.input(Input::Symbol(place as u32))
     }
 
     /// a + b, where adding 0 is no operation.
@@ -266,7 +318,7 @@ impl<C: Constant> Program<C> {
     pub fn name(&mut self, value: Value, name: &str) {
         let taken = self.names.contains_key(&value) || self.names.values().any(|known| known == name);
         let input = matches!(self.operation(value), Operation::Input(_));
-        if !taken && !input && self.stage(value) != Stage::Constant {
+        if !taken && !input && self.stage(value) > Stage::Symbols {
             self.names.insert(value, name.to_string());
         }
     }
@@ -313,6 +365,12 @@ impl<C: Constant> Program<C> {
         &self.tables
     }
 
+    /// The names of its symbols, in the order of their first use.
+    #[must_use]
+    pub fn symbols(&self) -> &[String] {
+        &self.symbols
+    }
+
     /// The groups of results, in the order in which they were added.
     #[must_use]
     pub fn outputs(&self) -> &[Output] {
@@ -351,7 +409,10 @@ impl<C: Constant> Program<C> {
     ///
     /// # Errors
     /// The first error of `map`.
-    pub fn map_constants<D, E>(&self, mut map: impl FnMut(&C) -> Result<D, E>) -> Result<Program<D>, E> {
+    pub fn map_constants<D: Constant, E>(
+        &self,
+        mut map: impl FnMut(&C) -> Result<D, E>,
+    ) -> Result<Program<D>, E> {
         let operation = |operation: &Operation<C>| {
             Ok(match *operation {
                 Operation::Constant(ref constant) => Operation::Constant(map(constant)?),
@@ -364,12 +425,22 @@ impl<C: Constant> Program<C> {
                 Operation::SquareRoot(a) => Operation::SquareRoot(a),
             })
         };
+        let operations: Vec<Operation<D>> =
+            self.operations.iter().map(operation).collect::<Result<_, E>>()?;
+        let mut constants: BTreeMap<u64, Vec<Value>> = BTreeMap::new();
+        for (place, operation) in operations.iter().enumerate() {
+            if let Operation::Constant(constant) = operation {
+                constants.entry(constant.fingerprint()).or_default().push(Value(place as u32));
+            }
+        }
         Ok(Program {
-            operations: self.operations.iter().map(operation).collect::<Result<_, E>>()?,
+            operations,
             stages: self.stages.clone(),
             names: self.names.clone(),
             tables: self.tables.clone(),
             outputs: self.outputs.clone(),
+            symbols: self.symbols.clone(),
+            constants,
             known: self.known.clone(),
         })
     }
@@ -393,8 +464,7 @@ impl<C: Constant> Program<C> {
 
     fn push(&mut self, operation: Operation<C>) -> Value {
         let stage = match operation {
-            Operation::Input(Input::U) => Stage::U,
-            Operation::Input(Input::V) => Stage::V,
+            Operation::Input(input) => input.stage(),
             _ => operation.operands().iter().fold(Stage::Constant, |stage, &a| stage.join(self.stage(a))),
         };
         let value = Value(self.operations.len() as u32);
@@ -436,10 +506,16 @@ mod tests {
 
     #[test]
     fn stages_join() {
-        use Stage::{Both, Constant, U, V};
-        for (a, b, joined) in
-            [(Constant, V, V), (V, U, Both), (U, U, U), (Both, V, Both), (Constant, Constant, Constant)]
-        {
+        use Stage::{Both, Constant, Symbols, U, V};
+        for (a, b, joined) in [
+            (Constant, V, V),
+            (V, U, Both),
+            (U, U, U),
+            (Both, V, Both),
+            (Constant, Constant, Constant),
+            (Constant, Symbols, Symbols),
+            (Symbols, V, V),
+        ] {
             assert_eq!(a.join(b), joined);
             assert_eq!(b.join(a), joined);
         }

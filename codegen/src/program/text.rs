@@ -8,6 +8,7 @@ impl fmt::Display for Stage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Stage::Constant => "constant",
+            Stage::Symbols => "symbols",
             Stage::V => "v",
             Stage::U => "u",
             Stage::Both => "u, v",
@@ -22,7 +23,7 @@ impl<C: Constant + fmt::Display> fmt::Display for Program<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let results: Vec<Value> = self.outputs().iter().flat_map(|output| output.values.clone()).collect();
         let needed = self.needed(&results);
-        for stage in [Stage::Constant, Stage::V, Stage::U, Stage::Both] {
+        for stage in [Stage::Constant, Stage::Symbols, Stage::V, Stage::U, Stage::Both] {
             let of_stage = |&&value: &&Value| {
                 let input = matches!(self.operation(value), Operation::Input(_) | Operation::Constant(_));
                 self.stage(value) == stage && !input
@@ -56,6 +57,9 @@ impl<C: Constant + fmt::Display> fmt::Display for Operand<'_, C> {
         match (program.operation(*value), program.name_of(*value)) {
             (Operation::Input(Input::U), _) => f.write_str("u"),
             (Operation::Input(Input::V), _) => f.write_str("v"),
+            (Operation::Input(Input::Symbol(place)), _) => {
+                f.write_str(program.symbols().get(*place as usize).map_or("?", String::as_str))
+            }
             (Operation::Constant(constant), _) => {
                 let text = constant.to_string();
                 let bare = text.bytes().all(|byte| byte.is_ascii_digit() || b"./".contains(&byte));

@@ -5,7 +5,7 @@
 //! 3. No two values are the same operation on the same operands.
 //! 4. Names are identifiers, no two values share one, and neither constants nor inputs have one.
 //! 5. Every output has values, all of them of the program, and no two outputs share a name.
-//! 6. The coefficients of a table are constants, and at least one of them is there.
+//! 6. The coefficients of a table depend on no parameter, and at least one of them is there.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -46,8 +46,7 @@ pub fn verify<C: Constant>(program: &Program<C>) -> Result<(), Fault> {
             return fault("an operand does not stand before it");
         }
         let stage = match operation {
-            Operation::Input(Input::U) => Stage::U,
-            Operation::Input(Input::V) => Stage::V,
+            Operation::Input(input) => input.stage(),
             _ => operands.iter().fold(Stage::Constant, |stage, &a| stage.join(program.stage(a))),
         };
         if stage != program.stage(value) {
@@ -55,15 +54,18 @@ pub fn verify<C: Constant>(program: &Program<C>) -> Result<(), Fault> {
         }
         let kind = match operation {
             Operation::Constant(_) => None,
-            Operation::Input(input) => Some(*input as u8),
-            Operation::Add(..) => Some(2),
-            Operation::Subtract(..) => Some(3),
-            Operation::Multiply(..) => Some(4),
-            Operation::Divide(..) => Some(5),
-            Operation::Negate(_) => Some(6),
-            Operation::SquareRoot(_) => Some(7),
+            Operation::Input(Input::Symbol(place)) if *place as usize >= program.symbols().len() => {
+                return fault("it is no symbol of the program");
+            }
+            Operation::Input(input) => Some(5_u32.saturating_add(input.key())),
+            Operation::Add(..) => Some(0),
+            Operation::Subtract(..) => Some(1),
+            Operation::Multiply(..) => Some(2),
+            Operation::Divide(..) => Some(3),
+            Operation::Negate(_) | Operation::SquareRoot(_) => Some(4),
         };
-        if kind.is_some_and(|kind| !known.insert((kind, operands))) {
+        let root = matches!(operation, Operation::SquareRoot(_));
+        if kind.is_some_and(|kind| !known.insert((kind, root, operands))) {
             return fault("it repeats an earlier operation");
         }
     }
@@ -102,11 +104,9 @@ fn verify_outputs<C: Constant>(program: &Program<C>) -> Result<(), Fault> {
         }
     }
     for table in program.tables() {
-        let constant = |value: &Value| {
-            value.index() < count && matches!(program.operation(*value), Operation::Constant(_))
-        };
-        if table.coefficients.is_empty() || !table.coefficients.iter().all(constant) {
-            return fault(format!("the coefficients of `{}` are not constants", table.name));
+        let early = |value: &Value| value.index() < count && program.stage(*value) <= Stage::Symbols;
+        if table.coefficients.is_empty() || !table.coefficients.iter().all(early) {
+            return fault(format!("the coefficients of `{}` depend on a parameter", table.name));
         }
     }
     Ok(())
@@ -151,6 +151,6 @@ mod tests {
 
         let mut table = valid;
         table.table(Table { value: square, name: "q".into(), formula: "u^2".into(), coefficients: vec![u] });
-        assert!(verify(&table).is_err_and(|fault| fault.to_string().contains("not constants")));
+        assert!(verify(&table).is_err_and(|fault| fault.to_string().contains("depend on a parameter")));
     }
 }

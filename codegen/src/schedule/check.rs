@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use hodograph_algebra::{Poly, budget};
+use hodograph_algebra::{Poly, Variable, budget};
 
+use super::differentiate::is_derivative;
 use super::{Derived, outputs};
-use crate::program::{Arithmetic, Fault, Input, Program, interpret, verify};
+use crate::program::{Arithmetic, Fault, Input, Program, Stage, Value, interpret, verify};
 
 /// The arithmetic of fractions of polynomials: a number is a numerator and a denominator.
 ///
@@ -20,7 +21,7 @@ use crate::program::{Arithmetic, Fault, Input, Program, interpret, verify};
 /// let mut program = Program::<Poly>::new();
 /// let (u, v) = (program.input(Input::U), program.input(Input::V));
 /// let quotient = program.divide(u, v);
-/// let numbers = Fractions { u: Poly::constant(ratio(1, 2)), v: Poly::integer(3) };
+/// let numbers = Fractions { u: Poly::constant(ratio(1, 2)), v: Poly::integer(3), symbols: Vec::new() };
 /// let (numerator, denominator) = interpret(&program, &[quotient], &numbers).unwrap().remove(0);
 /// assert_eq!(numerator.exact_div(&denominator).unwrap().to_string(), "1/6");
 /// ```
@@ -30,6 +31,8 @@ pub struct Fractions {
     pub u: Poly,
     /// What stands for the second parameter.
     pub v: Poly,
+    /// What stands for the program's symbols, in its order; 0 for missing ones.
+    pub symbols: Vec<Poly>,
 }
 
 impl Fractions {
@@ -56,10 +59,11 @@ impl Arithmetic<Poly> for Fractions {
 
     fn input(&self, input: Input) -> (Poly, Poly) {
         let value = match input {
-            Input::U => &self.u,
-            Input::V => &self.v,
+            Input::U => self.u.clone(),
+            Input::V => self.v.clone(),
+            Input::Symbol(place) => self.symbols.get(place as usize).cloned().unwrap_or_else(Poly::zero),
         };
-        (value.clone(), Poly::one())
+        (value, Poly::one())
     }
 
     fn add(&self, a: &(Poly, Poly), b: &(Poly, Poly)) -> (Poly, Poly) {
@@ -150,29 +154,59 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
     let mut expected = vec![
         (outputs::HOMOGENEOUS, over(derived.homogeneous, &one)),
         (outputs::POINT, over(coordinates, weight)),
-        (outputs::PARTIAL_U, partial(u)),
-        (outputs::PARTIAL_V, partial(v)),
     ];
+    let crossed = program.results(outputs::CROSS_PRODUCT);
+    let normal = derived.normal.map_or(&[][..], |normal| normal.as_slice());
     match derived.normal_root {
-        None => expected.push((outputs::NORMAL_DIRECTION, over(derived.normal, &one))),
+        // The derivatives are proved; their product is built once more, which gives the same values.
+        _ if !crossed.is_empty() => {
+            let mut copy = program.clone();
+            super::schedule_cross_product(&mut copy);
+            let last = copy.outputs().last().map(|output| output.values.as_slice());
+            if last != Some(crossed) {
+                return Err(Mismatch::Differs { output: outputs::CROSS_PRODUCT.to_string(), place: 0 });
+            }
+        }
+        None => expected.push((outputs::NORMAL_DIRECTION, over(normal, &one))),
         Some(root) => {
-            let square: Poly = derived.normal.iter().map(|n| n * n).sum();
+            let square: Poly = normal.iter().map(|n| n * n).sum();
             if square != root * root {
                 return Err(Mismatch::Root);
             }
-            expected.push((outputs::UNIT_NORMAL, over(derived.normal, root)));
+            expected.push((outputs::UNIT_NORMAL, over(normal, root)));
         }
     }
-    if let Some(singular) = derived.singular {
+    if let Some(singular) = derived.singular.filter(|_| crossed.is_empty()) {
         expected.push((outputs::SINGULAR, over(std::slice::from_ref(singular), &one)));
     }
-    let arithmetic = Fractions { u: Poly::variable(u), v: Poly::variable(v) };
+    if !derived.conditions.is_empty() {
+        expected.push((outputs::CONDITIONS, over(derived.conditions, &one)));
+    }
+    let symbol = |name: &String| Poly::variable(&Variable::new(Variable::SYMBOL, name));
+    let symbols = program.symbols().iter().map(symbol).collect();
+    let arithmetic = Fractions { u: Poly::variable(u), v: Poly::variable(v), symbols };
     for (output, fractions) in expected {
-        budget::doing(format!("the proof of the evaluator's output `{output}`"), || {
-            check_output(program, output, &fractions, &arithmetic)
+        doing(output, || check_output(program, output, &fractions, &arithmetic))?;
+    }
+    // The point is proved now; most derivatives follow from it, term by term.
+    let point = program.results(outputs::POINT);
+    for (output, variable, stage) in [(outputs::PARTIAL_U, u, Stage::U), (outputs::PARTIAL_V, v, Stage::V)] {
+        let found = program.results(output);
+        let follows = |(&derivative, &value): (&Value, &Value)| {
+            is_derivative(program, derivative, value, (variable, stage), &arithmetic)
+        };
+        doing(output, || {
+            if found.len() == point.len() && found.iter().zip(point).all(follows) {
+                return Ok(());
+            }
+            check_output(program, output, &partial(variable), &arithmetic)
         })?;
     }
     Ok(())
+}
+
+fn doing<T>(output: &str, work: impl FnOnce() -> T) -> T {
+    budget::doing(format!("the proof of the evaluator's output `{output}`"), work)
 }
 
 fn check_output(
@@ -188,9 +222,20 @@ fn check_output(
     let found =
         interpret(program, results, arithmetic).map_err(|_| Mismatch::Undefined(output.to_string()))?;
     for (place, (found, expected)) in found.iter().zip(expected).enumerate() {
-        if &found.0 * &expected.1 != &expected.0 * &found.1 {
+        if !equal(found, expected) {
             return Err(Mismatch::Differs { output: output.to_string(), place });
         }
     }
     Ok(())
+}
+
+/// Whether two fractions are equal; where one denominator divides the other, nothing is multiplied out but the quotient.
+fn equal(a: &(Poly, Poly), b: &(Poly, Poly)) -> bool {
+    if let Some(factor) = b.1.exact_div(&a.1) {
+        return &a.0 * &factor == b.0;
+    }
+    if let Some(factor) = a.1.exact_div(&b.1) {
+        return a.0 == &b.0 * &factor;
+    }
+    &a.0 * &b.1 == &b.0 * &a.1
 }

@@ -82,6 +82,49 @@ pub(super) fn relations(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
     .collect()
 }
 
+/// The adjugate of a square matrix of polynomials, and its determinant: the inverse is their quotient.
+///
+/// Matrices of numbers are inverted by elimination; others by cofactors, which is done up to 4 rows (`None` beyond).
+pub(super) fn adjugate(matrix: &[Vec<Poly>]) -> Option<(Vec<Vec<Poly>>, Poly)> {
+    let size = matrix.len();
+    if matrix.iter().flatten().all(Poly::is_constant) {
+        let unit = |i: usize| (0..size).map(move |j| if i == j { Poly::one() } else { Poly::zero() });
+        let rows = matrix.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect());
+        let (rows, pivots) = reduce(rows.collect());
+        let regular = pivots.iter().copied().eq(0..size);
+        return regular.then(|| (rows.into_iter().map(|row| row[size..].to_vec()).collect(), Poly::one()));
+    }
+    if size > 4 {
+        return None;
+    }
+    let signed = |i: usize, j: usize| {
+        let minor = determinant(&minor(matrix, j, i));
+        if (i + j).is_multiple_of(2) { minor } else { -minor }
+    };
+    let adjugate = (0..size).map(|i| (0..size).map(|j| signed(i, j)).collect()).collect();
+    let determinant = determinant(matrix);
+    (!determinant.is_zero()).then_some((adjugate, determinant))
+}
+
+/// The determinant by expansion along the first row.
+fn determinant(matrix: &[Vec<Poly>]) -> Poly {
+    let Some(first) = matrix.first() else { return Poly::one() };
+    let terms = first.iter().enumerate().filter(|(_, entry)| !entry.is_zero());
+    let terms = terms.map(|(column, entry)| {
+        let term = entry * &determinant(&minor(matrix, 0, column));
+        if column.is_multiple_of(2) { term } else { -term }
+    });
+    terms.sum()
+}
+
+/// The matrix without a row and a column.
+fn minor(matrix: &[Vec<Poly>], row: usize, column: usize) -> Vec<Vec<Poly>> {
+    let without = |line: &Vec<Poly>| {
+        line.iter().enumerate().filter(|(j, _)| *j != column).map(|(_, entry)| entry.clone()).collect()
+    };
+    matrix.iter().enumerate().filter(|(i, _)| *i != row).map(|(_, line)| without(line)).collect()
+}
+
 fn transposed(vectors: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
     let length = vectors.first().map_or(0, Vec::len);
     (0..length).map(|i| vectors.iter().map(|vector| vector[i].clone()).collect()).collect()

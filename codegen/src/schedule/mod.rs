@@ -11,16 +11,21 @@
 //!    coordinates are divided by W at each point.
 //! 3. Polynomials of one parameter are evaluated once, by Horner's scheme or as products of others (`univariate.rs`).
 //!
+//! Coefficients may have symbols besides (`families.rs`, `symbols.rs`): what depends on them alone is a stage of its own.
+//!
 //! [`check`] proves the result: it runs the program over polynomials and compares every output with what was derived.
 //! Nothing here is approximate; constants are exact until [`crate::round`].
 
 mod check;
+mod differentiate;
+mod families;
 mod linear;
 mod quotient;
 mod separate;
+mod slope;
+mod symbols;
 mod univariate;
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 use hodograph_algebra::{Poly, Rational, Variable};
@@ -39,8 +44,9 @@ pub struct Derived<'a> {
     pub parameters: [&'a Variable; 2],
     /// The homogeneous coordinates W, X, Y, Z, with W not zero.
     pub homogeneous: &'a [Poly; 4],
-    /// The numerators of the normal: R_u × R_v without the common factor of its components.
-    pub normal: &'a [Poly; 3],
+    /// The numerators of the normal: R_u × R_v without the common factor of its components. If there are none, it is
+    /// computed from the derivatives.
+    pub normal: Option<&'a [Poly; 3]>,
     /// The root ρ of the normal's squared norm, ρ² = N·N, if there is one: the unit normal is then rational.
     pub normal_root: Option<&'a Poly>,
     /// The common factor of R_u × R_v, where the surface has zeros of it on its domain.
@@ -49,6 +55,9 @@ pub struct Derived<'a> {
     pub known: &'a [(String, Poly)],
     /// First and last value of u, then of v.
     pub domain: &'a [[Rational; 2]; 2],
+    /// Polynomials of one parameter at most that are positive on the domain if the symbols have values for which the
+    /// formulas hold.
+    pub conditions: &'a [Poly],
 }
 
 impl Derived<'_> {
@@ -56,11 +65,7 @@ impl Derived<'_> {
         if self.homogeneous[0].is_zero() {
             return Err(ScheduleError::NoWeight);
         }
-        let polys = self.homogeneous.iter().chain(self.normal).chain(self.normal_root).chain(self.singular);
-        let occurring = polys.flat_map(Poly::occurring_variables);
-        let symbols: BTreeSet<Variable> =
-            occurring.filter(|variable| !self.parameters.contains(&variable)).collect();
-        if symbols.is_empty() { Ok(()) } else { Err(ScheduleError::Symbols(symbols.into_iter().collect())) }
+        Ok(())
     }
 }
 
@@ -78,16 +83,18 @@ pub mod outputs {
     pub const UNIT_NORMAL: &str = "unit_normal";
     /// A direction of the normal, for other surfaces.
     pub const NORMAL_DIRECTION: &str = "normal_direction";
+    /// R_u × R_v from the partial derivatives, for families whose normal is too large to be worth evaluating by itself.
+    pub const CROSS_PRODUCT: &str = "cross_product";
     /// A polynomial that vanishes where the surface is singular, if there may be such points on the domain.
     pub const SINGULAR: &str = "singular";
+    /// Polynomials of one parameter that are positive on the domain where the symbols have values that are allowed.
+    pub const CONDITIONS: &str = "conditions";
 }
 
 /// Why a surface has no program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ScheduleError {
-    /// There are symbols besides the parameters, whose values a program cannot know.
-    Symbols(Vec<Variable>),
     /// The weight W is zero everywhere.
     NoWeight,
 }
@@ -95,10 +102,6 @@ pub enum ScheduleError {
 impl fmt::Display for ScheduleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            ScheduleError::Symbols(symbols) => {
-                let names: Vec<&str> = symbols.iter().map(Variable::name).collect();
-                write!(f, "an evaluator needs numbers for the symbols {}", names.join(", "))
-            }
             ScheduleError::NoWeight => f.write_str("the weight W of the surface is zero everywhere"),
         }
     }
@@ -112,7 +115,7 @@ impl std::error::Error for ScheduleError {}
 /// operations, of which some r for each coordinate depend on both parameters.
 ///
 /// # Errors
-/// [`ScheduleError`] if W is zero or symbols occur.
+/// [`ScheduleError`] if W is zero.
 ///
 /// # Example
 /// ```
@@ -123,11 +126,12 @@ impl std::error::Error for ScheduleError {}
 /// let saddle = Derived {
 ///     parameters: [&u, &v],
 ///     homogeneous: &[Poly::one(), x.clone(), y.clone(), &x * &y],
-///     normal: &[-&y, -&x, Poly::one()],
+///     normal: Some(&[-&y, -&x, Poly::one()]),
 ///     normal_root: None,
 ///     singular: None,
 ///     known: &[],
 ///     domain: &[[integer(0), integer(1)], [integer(0), integer(1)]],
+///     conditions: &[],
 /// };
 /// let program = schedule(&saddle).unwrap();
 /// assert_eq!(check(&program, &saddle), Ok(()));
@@ -141,15 +145,52 @@ pub fn schedule(derived: &Derived<'_>) -> Result<Program<Poly>, ScheduleError> {
     let preferred: Vec<Poly> = derived.known.iter().map(|(_, poly)| poly.clone()).collect();
     let [weight, coordinates @ ..] = derived.homogeneous;
     match Form::of(weight, coordinates, &parameters, &preferred) {
-        Some(form) => form.schedule_surface(&mut builder, &preferred),
+        Some(form) => {
+            if !families::symbols(derived.homogeneous, &parameters).is_empty() {
+                builder.hint = Some(form.weight.clone());
+            }
+            form.schedule_surface(&mut builder, &preferred);
+        }
         None => schedule_quotients(&mut builder, derived.homogeneous),
     }
-    schedule_normal(&mut builder, derived, &preferred);
-    if let Some(singular) = derived.singular {
+    match derived.normal {
+        None => schedule_cross_product(&mut builder.program),
+        Some(normal) => schedule_normal(&mut builder, normal, derived.normal_root, &preferred),
+    }
+    let turns = derived.singular.filter(|_| builder.program.results(outputs::CROSS_PRODUCT).is_empty());
+    if let Some(singular) = turns {
         let values = polynomials(&mut builder, std::slice::from_ref(singular));
         builder.program.output(outputs::SINGULAR, values);
     }
+    if !derived.conditions.is_empty() {
+        let values = derived.conditions.iter().map(|condition| builder.polynomial(condition)).collect();
+        builder.program.output(outputs::CONDITIONS, values);
+    }
     Ok(builder.program)
+}
+
+/// R_u × R_v
+fn schedule_cross_product(program: &mut Program<Poly>) {
+    let (a, b) = (program.results(outputs::PARTIAL_U).to_vec(), program.results(outputs::PARTIAL_V).to_vec());
+    let values = cross_product(&a, &b, |operation| match operation {
+        (true, x, y) => program.multiply(x, y),
+        (false, x, y) => program.subtract(x, y),
+    });
+    program.output(outputs::CROSS_PRODUCT, values);
+}
+
+/// The components of a × b by operations: products (`true`) and differences (`false`).
+fn cross_product(
+    a: &[Value],
+    b: &[Value],
+    mut apply: impl FnMut((bool, Value, Value)) -> Value,
+) -> Vec<Value> {
+    let pairs = [(1, 2), (2, 0), (0, 1)];
+    let minor = |(i, j): (usize, usize)| {
+        let (plus, minus) = (apply((true, a[i], b[j])), apply((true, a[j], b[i])));
+        apply((false, plus, minus))
+    };
+    pairs.into_iter().map(minor).collect()
 }
 
 /// Coordinates over a weight A(u)·B(v): c = Σ_k f_k(u)·g_{c,k}(v) and c/(A·B) = Σ_k (f_k/A)(u)·(g_{c,k}/B)(v).
@@ -166,7 +207,7 @@ impl Form {
     /// The form for `coordinates` over `weight`; `None` if the weight is not a product.
     fn of(weight: &Poly, coordinates: &[Poly], parameters: &Parameters, preferred: &[Poly]) -> Option<Form> {
         let weight = split_weight(weight, parameters)?;
-        let separation = Separation::new(coordinates, Some(&weight), parameters);
+        let separation = Separation::new(coordinates, Some(&weight), parameters, preferred);
         let of_u = separation.basis.iter().map(|f| Quotient::new(f, &weight.0, preferred)).collect();
         let of_v = separation
             .cofactors
@@ -178,6 +219,9 @@ impl Form {
 
     fn schedule_surface(&self, builder: &mut Builder<'_>, preferred: &[Poly]) {
         let parameters = builder.parameters;
+        if builder.hint.is_some() {
+            return self.schedule_family(builder, preferred);
+        }
         let derivative_u: Vec<Quotient> =
             self.of_u.iter().map(|f| f.derivative(&parameters.u, preferred)).collect();
         let derivative_v: Vec<Vec<Quotient>> = self
@@ -191,6 +235,33 @@ impl Form {
         let partial_u = quotients(builder, &derivative_u, &self.of_v);
         let partial_v = quotients(builder, &self.of_u, &derivative_v);
 
+        builder.program.output(outputs::HOMOGENEOUS, homogeneous);
+        builder.program.output(outputs::POINT, point);
+        builder.program.output(outputs::PARTIAL_U, partial_u);
+        builder.program.output(outputs::PARTIAL_V, partial_v);
+    }
+
+    /// The same for a family, where the derivatives of quotients are not always worth being reduced.
+    fn schedule_family(&self, builder: &mut Builder<'_>, preferred: &[Poly]) {
+        let parameters = builder.parameters;
+        let point = quotients(builder, &self.of_u, &self.of_v);
+        let homogeneous = self.homogeneous(builder);
+        let of_u: Vec<Value> = self.of_u.iter().map(|f| builder.quotient(f)).collect();
+        let mut of_v: Vec<Vec<Value>> = Vec::new();
+        for row in &self.of_v {
+            of_v.push(row.iter().map(|g| builder.quotient(g)).collect());
+        }
+        let slopes_u = builder.slopes(&self.of_u, &parameters.u, preferred);
+        let all: Vec<Quotient> = self.of_v.iter().flatten().cloned().collect();
+        let mut slopes_v = builder.slopes(&all, &parameters.v, preferred).into_iter();
+        let (mut partial_u, mut partial_v) = (Vec::new(), Vec::new());
+        for row in &of_v {
+            let slopes: Vec<Value> = slopes_v.by_ref().take(row.len()).collect();
+            let products: Vec<(Value, Value)> = slopes_u.iter().copied().zip(row.iter().copied()).collect();
+            partial_u.push(builder.sum_of_nonzero_products(&products));
+            let products: Vec<(Value, Value)> = of_u.iter().copied().zip(slopes).collect();
+            partial_v.push(builder.sum_of_nonzero_products(&products));
+        }
         builder.program.output(outputs::HOMOGENEOUS, homogeneous);
         builder.program.output(outputs::POINT, point);
         builder.program.output(outputs::PARTIAL_U, partial_u);
@@ -241,7 +312,8 @@ fn separated(builder: &mut Builder<'_>, separation: &Separation) -> Vec<Value> {
 
 /// Polynomials of both parameters, separated together.
 fn polynomials(builder: &mut Builder<'_>, polys: &[Poly]) -> Vec<Value> {
-    let separation = Separation::new(polys, None, builder.parameters);
+    let known: Vec<Poly> = builder.known.iter().map(|(_, poly)| poly.clone()).collect();
+    let separation = Separation::new(polys, builder.hint.as_ref(), builder.parameters, &known);
     separated(builder, &separation)
 }
 
@@ -269,19 +341,19 @@ fn schedule_quotients(builder: &mut Builder<'_>, homogeneous: &[Poly; 4]) {
 }
 
 /// The unit normal N/ρ where ρ is a polynomial, else the direction N.
-fn schedule_normal(builder: &mut Builder<'_>, derived: &Derived<'_>, preferred: &[Poly]) {
-    let Some(root) = derived.normal_root else {
-        let values = polynomials(builder, derived.normal);
+fn schedule_normal(builder: &mut Builder<'_>, normal: &[Poly; 3], root: Option<&Poly>, preferred: &[Poly]) {
+    let Some(root) = root else {
+        let values = polynomials(builder, normal);
         builder.program.output(outputs::NORMAL_DIRECTION, values);
         return;
     };
-    let values = match Form::of(root, derived.normal, builder.parameters, preferred) {
+    let values = match Form::of(root, normal, builder.parameters, preferred) {
         Some(form) => quotients(builder, &form.of_u, &form.of_v),
         None => {
             let root = polynomials(builder, std::slice::from_ref(root));
             let one = builder.program.constant(Poly::one());
             let inverse = builder.program.divide(one, root[0]);
-            let direction = polynomials(builder, derived.normal);
+            let direction = polynomials(builder, normal);
             direction.into_iter().map(|value| builder.program.multiply(value, inverse)).collect()
         }
     };

@@ -23,10 +23,12 @@ impl Quotient {
         else {
             unreachable!("a greatest common divisor divides");
         };
-        let normal = denominator.normalized();
-        let preferred = preferred.into_iter().find(|poly| poly.normalized() == normal);
-        let scaled = preferred.cloned().unwrap_or(normal);
-        let factor = ratio_of(&denominator, &scaled);
+        let preferred =
+            preferred.into_iter().find_map(|poly| Some((denominator.number_quotient(poly)?, poly.clone())));
+        let (factor, scaled) = preferred.unwrap_or_else(|| {
+            let normal = denominator.normalized();
+            (ratio_of(&denominator, &normal), normal)
+        });
         Quotient { numerator: numerator * factor.inverse(), denominator: scaled }
     }
 
@@ -58,7 +60,7 @@ pub(super) fn ratio_of(a: &Poly, b: &Poly) -> Poly {
 
 /// Whether the polynomials are multiples of each other by a number.
 pub(super) fn proportional(a: &Poly, b: &Poly) -> bool {
-    !a.is_zero() && !b.is_zero() && a.normalized() == b.normalized()
+    !a.is_zero() && !b.is_zero() && a.number_quotient(b).is_some()
 }
 
 /// The coefficients of the remainder of `a` by `b` with respect to `parameter`: as many as the degree of `b`.

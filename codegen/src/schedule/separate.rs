@@ -9,6 +9,7 @@
 
 use hodograph_algebra::{Poly, Variable};
 
+use super::families::{self, symbols};
 use super::linear;
 use super::quotient::{proportional, ratio_of, remainder};
 
@@ -28,9 +29,20 @@ pub(super) struct Separation {
 
 impl Separation {
     /// The separation of `polys` of least rank, for division by the weight A(u)·B(v) where there is one.
-    pub(super) fn new(polys: &[Poly], weight: Option<&(Poly, Poly)>, parameters: &Parameters) -> Separation {
+    ///
+    /// If there are symbols, polynomials among the `known` ones are taken into the basis where that is possible.
+    pub(super) fn new(
+        polys: &[Poly],
+        weight: Option<&(Poly, Poly)>,
+        parameters: &Parameters,
+        known: &[Poly],
+    ) -> Separation {
         let one = (Poly::one(), Poly::one());
-        let (a, b) = weight.unwrap_or(&one);
+        let weight = weight.unwrap_or(&one);
+        let (a, b) = weight;
+        if !symbols(polys.iter().chain([a, b]), parameters).is_empty() {
+            return families::separate(polys, weight, parameters, known);
+        }
         let mut separation = with_basis(polys, &choose_basis(polys, a, parameters), parameters);
         separation.simplify_cofactors(a, b, parameters);
         separation.scale(a, b);
@@ -80,7 +92,7 @@ impl Separation {
 
     /// Scales each f_k: to A where it is a multiple, to take in a cofactor that is a multiple of B and the only one, and
     /// otherwise to coprime integer coefficients where it has rational ones.
-    fn scale(&mut self, a: &Poly, b: &Poly) {
+    pub(super) fn scale(&mut self, a: &Poly, b: &Poly) {
         for k in 0..self.basis.len() {
             let mut cofactors = self.cofactors.iter().map(|row| &row[k]).filter(|poly| !poly.is_zero());
             let factor = match (cofactors.next(), cofactors.next()) {
@@ -105,7 +117,9 @@ impl Separation {
 /// The factors A(u) and B(v) of a weight that is their product; `None` if it is not such a product.
 pub(super) fn split_weight(weight: &Poly, parameters: &Parameters) -> Option<(Poly, Poly)> {
     let columns = weight.coefficients(&parameters.v);
-    let column = columns.iter().find(|column| !column.is_zero())?.normalized();
+    let column = columns.iter().find(|column| !column.is_zero())?;
+    // Symbols that are a factor of the whole column belong to B.
+    let column = column.primitive_in(&parameters.u).normalized();
     let cofactor = weight.exact_div(&column)?;
     (!cofactor.contains(&parameters.u)).then_some((column, cofactor))
 }
@@ -202,7 +216,7 @@ mod tests {
         ];
         let weight = split_weight(&(&plus * &sigma), &parameters).unwrap();
         assert_eq!(texts(&[weight.0.clone(), weight.1.clone()]), ["u^2 + 1", "v^2 + 1"]);
-        let separation = Separation::new(&polys, Some(&weight), &parameters);
+        let separation = Separation::new(&polys, Some(&weight), &parameters, &[]);
         assert_eq!(sums(&separation), polys);
         assert_eq!(texts(&separation.basis), ["2*u", "u^2 + 1", "-u^2 + 1"]);
         assert_eq!(separation.cofactors[0][1], &sigma * &x);
@@ -223,9 +237,9 @@ mod tests {
         let parameters = parameters();
         let (u, v) = (Poly::variable(&parameters.u), Poly::variable(&parameters.v));
         let polys = [(&u + &v).pow(3), Poly::zero(), &u * &v];
-        let separation = Separation::new(&polys, None, &parameters);
+        let separation = Separation::new(&polys, None, &parameters, &[]);
         assert_eq!(separation.basis.len(), 4);
         assert_eq!(sums(&separation), polys);
-        assert!(Separation::new(&[Poly::zero()], None, &parameters).basis.is_empty());
+        assert!(Separation::new(&[Poly::zero()], None, &parameters, &[]).basis.is_empty());
     }
 }

@@ -1,5 +1,8 @@
 //! Evaluation of polynomials of one parameter, as operations of a program.
 
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use hodograph_algebra::{Poly, Rational, Variable};
 
 use super::quotient::{Quotient, proportional, ratio_of};
@@ -15,6 +18,13 @@ impl Constant for Poly {
     fn is_one(&self) -> bool {
         Poly::is_one(self)
     }
+
+    /// That of a rational number; all others share one, since they may be written in several ways.
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.to_rational().hash(&mut hasher);
+        hasher.finish()
+    }
 }
 
 /// A program under construction, and which polynomials it evaluates already.
@@ -24,13 +34,18 @@ pub(super) struct Builder<'a> {
     /// Names for polynomials of one parameter, the sign included.
     pub(super) known: &'a [(String, Poly)],
     /// What has been evaluated, by Horner's scheme or as a product.
-    evaluated: Vec<(Poly, Value)>,
+    pub(super) evaluated: Vec<(Poly, Value)>,
     /// Denominators that are divided by more than once.
     shared: Vec<Poly>,
     /// For each parameter a place near the middle of its domain, and the distance to the domain's ends.
     centers: [Option<Center>; 2],
     /// How many polynomials of u and of v have been given a name here.
     unnamed: [usize; 2],
+    /// Factors of the weight in u and in v, which are likely to be worth having in a basis for other polynomials too; used for
+    /// families, where no linear algebra finds such a basis.
+    pub(super) hint: Option<(Poly, Poly)>,
+    /// Polynomials in symbols alone that are evaluated, by a number that equal ones share.
+    pub(super) numbers: BTreeMap<u64, Vec<(Poly, Value)>>,
 }
 
 impl<'a> Builder<'a> {
@@ -48,6 +63,8 @@ impl<'a> Builder<'a> {
             evaluated: Vec::new(),
             shared: Vec::new(),
             unnamed: [0, 0],
+            hint: None,
+            numbers: BTreeMap::new(),
         }
     }
 
@@ -114,11 +131,11 @@ impl<'a> Builder<'a> {
     /// A multiple of a polynomial that is evaluated already, or a product with one, costs one operation more than that.
     pub(super) fn polynomial(&mut self, poly: &Poly) -> Value {
         let Some((variable, input)) = self.parameter(poly) else {
-            return self.program.constant(poly.pruned());
+            return self.number(poly);
         };
         let worth = |known: &Poly| known == poly || *known == -poly || poly.degree(&variable) > Some(1);
         if let Some((known, value)) =
-            self.evaluated.iter().find(|(known, _)| proportional(known, poly) && worth(known))
+            self.evaluated.iter().find(|(known, _)| worth(known) && proportional(known, poly))
         {
             let (factor, value) = (ratio_of(poly, known), *value);
             return self.scaled(&factor, value);
@@ -157,6 +174,14 @@ impl<'a> Builder<'a> {
         }
     }
 
+    fn center(&self, input: Input) -> Option<&Center> {
+        match input {
+            Input::U => self.centers[0].as_ref(),
+            Input::V => self.centers[1].as_ref(),
+            Input::Symbol(_) => None,
+        }
+    }
+
     /// The parameter that occurs in `poly`, if one does.
     fn parameter(&self, poly: &Poly) -> Option<(Variable, Input)> {
         let Parameters { u, v } = self.parameters;
@@ -170,7 +195,7 @@ impl<'a> Builder<'a> {
         if (-factor).is_one() {
             return self.program.negate(value);
         }
-        let factor = self.program.constant(factor.pruned());
+        let factor = self.number(factor);
         self.program.multiply(factor, value)
     }
 
@@ -205,7 +230,7 @@ impl<'a> Builder<'a> {
     /// Horner's scheme around zero, or around the middle of the domain where that is more accurate.
     fn evaluate(&mut self, poly: &Poly, variable: &Variable, input: Input, name: Option<&str>) -> Value {
         let parameter = self.program.input(input);
-        let center = self.centers[input as usize].as_ref().filter(|center| center.helps(poly, variable));
+        let center = self.center(input).filter(|center| center.helps(poly, variable));
         let (coefficients, base) = match center.map(|center| center.place.clone()) {
             None => (poly.coefficients(variable), parameter),
             Some(place) => {
@@ -264,7 +289,7 @@ impl<'a> Builder<'a> {
         let base = self.power(parameter, step);
         let mut sum = self.program.constant(Poly::zero());
         for coefficient in coefficients.iter().step_by(step).rev() {
-            let constant = self.program.constant(coefficient.pruned());
+            let constant = self.number(coefficient);
             sum = match self.program.operation(sum) {
                 // The leading coefficient −1 is a subtraction.
                 Operation::Constant(leading) if (-leading).is_one() => self.program.subtract(constant, base),
@@ -306,8 +331,7 @@ impl<'a> Builder<'a> {
             str::to_string,
         );
         self.program.name(value, &name);
-        let coefficients =
-            coefficients.iter().map(|coefficient| self.program.constant(coefficient.pruned())).collect();
+        let coefficients = coefficients.iter().map(|coefficient| self.number(coefficient)).collect();
         self.program.table(Table { value, name, formula: poly.to_string(), coefficients });
     }
 }

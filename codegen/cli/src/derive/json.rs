@@ -1,8 +1,20 @@
 //! Derivations for programs.
+//!
+//! `conditions` lists where the symbols, which are real, change what is stated of degrees: `{"what", "where", "common_zero",
+//! "exact", "unless"}`. It happens (`what`) where the polynomials of `where` vanish together; entries with the same `what`
+//! are alternatives. For a common factor of W, X, Y, Z, `common_zero` is `{"parameter", "polynomials"}`: it exists where
+//! these polynomials have a common zero, real or complex, in the parameter; `where`, from which the parameter is
+//! eliminated, is `null` where that takes too much work. `exact` is false if it happens nowhere else but perhaps not
+//! everywhere there; where the polynomials of a list in `unless` vanish, it may not happen in any case. What happens only where
+//! W vanishes identically is left out. `conditions` is `null` if the budget does not suffice, and `[]` without symbols. The
+//! offset has its own, in which its distance is one more symbol.
+//!
+//! The square root of a polynomial in the symbols, in offsets, is a generator whose `approximation` is `null`.
 
-use hodograph_algebra::{Bidegree, Derivation, Homogeneous, Offset, Poly};
+use hodograph_algebra::{Bidegree, Conditions, Derivation, Homogeneous, Offset, Poly, Variable};
 use serde::Serialize;
 
+use super::conditions::{Alternative, statements};
 use super::{APPROXIMATION_DIGITS, Derived, offset_reason};
 use crate::decimal::significant;
 
@@ -23,6 +35,7 @@ struct Sweep<'a> {
     degree: [i64; 2],
     raw_degree: [i64; 2],
     common_factor: String,
+    conditions: Option<Vec<Condition>>,
     normal: Normal,
     speeds: Speeds,
     singular: Singular<'a>,
@@ -40,7 +53,7 @@ struct Field {
 struct Generator {
     symbol: String,
     relation: String,
-    approximation: String,
+    approximation: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -82,7 +95,25 @@ struct Singular<'a> {
 struct OffsetSurface {
     rational: bool,
     homogeneous: Option<Coordinates>,
+    conditions: Option<Vec<Condition>>,
     reason: String,
+}
+
+/// What happens where polynomials in the symbols vanish together; entries that say the same are alternatives.
+#[derive(Serialize)]
+struct Condition {
+    what: String,
+    #[serde(rename = "where")]
+    equations: Option<Vec<String>>,
+    common_zero: Option<CommonZero>,
+    exact: bool,
+    unless: Vec<Vec<String>>,
+}
+
+#[derive(Serialize)]
+struct CommonZero {
+    parameter: String,
+    polynomials: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -111,9 +142,10 @@ fn sweep<'a>(derived: &'a Derived<'_>) -> Sweep<'a> {
         degree: pair(homogeneous.degree()),
         raw_degree: pair(homogeneous.raw_degree()),
         common_factor: homogeneous.common_factor().to_string(),
+        conditions: conditions(derived.conditions.as_ref(), &derivation.parameters),
         normal: Normal {
             numerator: derivation.normal.numerator().each_ref().map(Poly::to_string),
-            norm_squared: derivation.normal.norm_squared().to_string(),
+            norm_squared: norm_squared(derivation),
             rational: derivation.normal.is_rational(),
         },
         speeds: Speeds { u: speed_u, v: speed_v },
@@ -124,9 +156,12 @@ fn sweep<'a>(derived: &'a Derived<'_>) -> Sweep<'a> {
         offset: OffsetSurface {
             rational: derivation.offset.is_rational(),
             homogeneous: match &derivation.offset {
-                Offset::Rational(offset) => Some(coordinates(offset)),
+                Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } => {
+                    Some(coordinates(offset))
+                }
                 _ => None,
             },
+            conditions: conditions(derived.offset_conditions.as_ref(), &derivation.parameters),
             reason: offset_reason(derivation, Poly::to_string),
         },
         control_net: Some(Net {
@@ -141,12 +176,20 @@ fn field(derivation: &Derivation) -> Field {
     let generator = |(position, generator): (usize, &hodograph_algebra::Generator)| Generator {
         symbol: generator.name().to_owned(),
         relation: field.relation(position).to_string(),
-        approximation: significant(&Poly::generator(field, position), APPROXIMATION_DIGITS),
+        approximation: Some(significant(&Poly::generator(field, position), APPROXIMATION_DIGITS)),
     };
-    Field {
-        degree: field.degree(),
-        generators: field.generators().iter().enumerate().map(generator).collect(),
+    let mut degree = field.degree();
+    let mut generators: Vec<Generator> = field.generators().iter().enumerate().map(generator).collect();
+    // The root of a polynomial in the symbols is one more generator, with no value of its own.
+    if let Offset::SymbolicRadical { radicand, radical, .. } = &derivation.offset {
+        degree *= 2;
+        generators.push(Generator {
+            symbol: radical.to_string(),
+            relation: (Poly::variable(radical).pow(2) - radicand).to_string(),
+            approximation: None,
+        });
     }
+    Field { degree, generators }
 }
 
 fn coordinates(homogeneous: &Homogeneous) -> Coordinates {
@@ -159,6 +202,35 @@ fn coordinates(homogeneous: &Homogeneous) -> Coordinates {
     Coordinates { w, x, y, z }
 }
 
+fn conditions(conditions: Option<&Conditions>, parameters: &[Variable; 2]) -> Option<Vec<Condition>> {
+    let texts = |polys: &[Poly]| polys.iter().map(Poly::to_string).collect::<Vec<String>>();
+    let condition = |what: &str, alternative: &Alternative| Condition {
+        what: what.to_owned(),
+        equations: alternative.equations.as_deref().map(texts),
+        common_zero: alternative.common_zero.as_ref().map(|(parameter, polynomials)| CommonZero {
+            parameter: parameter.to_string(),
+            polynomials: texts(polynomials),
+        }),
+        exact: alternative.exact,
+        unless: alternative.unless.alternatives().iter().map(|all| texts(all)).collect(),
+    };
+    let statements = statements(conditions?, parameters);
+    let entries = statements.iter().flat_map(|statement| {
+        statement.alternatives.iter().map(|alternative| condition(&statement.what, alternative))
+    });
+    Some(entries.collect())
+}
+
 fn pair(degree: Bidegree) -> [i64; 2] {
     [degree.u, degree.v]
+}
+
+/// `|N|²`, as a sum of squares where it is too large to be multiplied out.
+fn norm_squared(derivation: &Derivation) -> String {
+    match derivation.normal.squared_length().expanded() {
+        Some(square) => square.to_string(),
+        None => {
+            derivation.normal.numerator().each_ref().map(|component| format!("({component})^2")).join(" + ")
+        }
+    }
 }

@@ -1,10 +1,11 @@
 //! Derivations as LaTeX.
 
-use hodograph_algebra::{Homogeneous, Offset, Poly};
+use hodograph_algebra::{Conditions, Homogeneous, Offset, Poly, Variable};
 use hodograph_codegen::emit::latex;
 use hodograph_codegen::language::ast::{ClauseKind, Item};
 
 use super::Derived;
+use super::conditions::{Alternative, statements};
 use super::factors::Factors;
 
 /// How many characters of LaTeX stand on a line of a formula.
@@ -21,7 +22,7 @@ pub(super) fn output(all: &[Derived<'_>]) -> String {
 }
 
 fn subsection(derived: &Derived<'_>) -> String {
-    let Derived { item, model, derivation } = derived;
+    let Derived { item, model, derivation, .. } = derived;
     let mut text = format!("\\subsection*{{{}}}\n", latex::text(&model.name));
     if let Some(source) = &model.source {
         text += &format!("{}.\n", latex::text(source));
@@ -31,6 +32,7 @@ fn subsection(derived: &Derived<'_>) -> String {
     let [u, v] = homogeneous.parameters().each_ref().map(|parameter| latex::name(parameter.name()));
     text += &format!("Homogeneous coordinates of degree ${}$ in $({u}, {v})$:\n", homogeneous.degree());
     text += &aligned(coordinates(homogeneous));
+    text += &conditions(derived.conditions.as_ref(), &derivation.parameters);
     let field = &derivation.field;
     if !field.generators().is_empty() {
         let relation = |position: usize| {
@@ -59,17 +61,60 @@ fn subsection(derived: &Derived<'_>) -> String {
                 offset.degree()
             );
             text += &aligned(coordinates(offset));
+            text += &conditions(derived.offset_conditions.as_ref(), &derivation.parameters);
         }
         Offset::Irrational { odd } => {
             text += "The offset is not rational, because of the factor\n";
             text += &aligned(vec![(String::new(), broken(&latex::terms(odd)))]);
         }
-        Offset::SymbolicRadical { radicand } => {
-            text += &format!("The offset is rational over $\\sqrt{{{}}}$.\n", latex::poly(radicand));
+        Offset::SymbolicRadical { radicand, radical, surface } => {
+            text += &format!(
+                "Offset at the distance ${}$, rational with ${} = \\sqrt{{{}}}$, of degree ${}$:\n",
+                latex::name(derivation.distance.name()),
+                latex::name(radical.name()),
+                latex::poly(radicand),
+                surface.degree()
+            );
+            text += &aligned(coordinates(surface));
+            text += &conditions(derived.offset_conditions.as_ref(), &derivation.parameters);
         }
         _ => {}
     }
     text
+}
+
+/// Where symbols change degrees: a sentence and its equations each.
+fn conditions(conditions: Option<&Conditions>, parameters: &[Variable; 2]) -> String {
+    let statements = conditions.map(|conditions| statements(conditions, parameters)).unwrap_or_default();
+    let mut text = String::new();
+    for statement in statements {
+        for (number, alternative) in statement.alternatives.iter().enumerate() {
+            let what = if number == 0 { latex::text(&statement.what) } else { "or".to_owned() };
+            text += &format!("{what} {} where\n", if alternative.exact { "exactly" } else { "only" });
+            text += &aligned(equations(alternative));
+        }
+    }
+    text
+}
+
+fn equations(alternative: &Alternative) -> Vec<(String, Vec<String>)> {
+    let line = |poly: &Poly, end: &str| {
+        let mut lines = broken(&latex::terms(poly));
+        if let Some(last) = lines.last_mut() {
+            last.push_str(end);
+        }
+        (String::new(), lines)
+    };
+    match (&alternative.equations, &alternative.common_zero) {
+        (Some(equations), _) => equations.iter().map(|poly| line(poly, " = 0")).collect(),
+        (None, Some((parameter, polynomials))) => {
+            let end = format!("\\quad\\text{{has a common zero in }}{}", latex::name(parameter.name()));
+            let last = polynomials.len().saturating_sub(1);
+            let lines = polynomials.iter().enumerate();
+            lines.map(|(position, poly)| line(poly, if position == last { &end } else { "," })).collect()
+        }
+        (None, None) => Vec::new(),
+    }
 }
 
 /// The definitions of a sweep as pairs of a left side and the right side.

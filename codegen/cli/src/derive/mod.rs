@@ -1,5 +1,6 @@
 //! `hodograph derive`: what a surface is.
 
+mod conditions;
 mod factors;
 mod json;
 mod latex;
@@ -7,7 +8,7 @@ mod text;
 
 use std::process::ExitCode;
 
-use hodograph_algebra::{Derivation, Offset, Poly, budget};
+use hodograph_algebra::{Conditions, Derivation, Offset, Poly, budget};
 use hodograph_codegen::language::Diagnostic;
 use hodograph_codegen::language::ast::Item;
 use hodograph_codegen::meaning::Model;
@@ -29,6 +30,10 @@ pub(crate) struct Derived<'a> {
     model: &'a Model,
     /// What follows.
     derivation: Derivation,
+    /// Where symbols change its degrees; `None` if that exceeds the budget.
+    conditions: Option<Conditions>,
+    /// The same for the offset, if that is rational.
+    offset_conditions: Option<Conditions>,
 }
 
 /// Runs the command.
@@ -58,7 +63,7 @@ pub(crate) fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
 }
 
 fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, Failure> {
-    let failed = |message: String| Failure::at(&document.source, Diagnostic::new(model.span, message));
+    let failed = |message: String| Failure::at(&document.source, Diagnostic::new(model.place, message));
     let (Some(surface), Some(item)) = (&model.surface, document.item(model)) else {
         return Err(failed(format!("`{}` has no surface", model.name)));
     };
@@ -67,19 +72,30 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
         Ok(Err(error)) => return Err(failed(error.to_string())),
         Err(exhausted) => return Err(failed(exhausted.to_string())),
     };
-    Ok(Derived { item, model, derivation })
+    let conditions = conditions::of(&derivation.homogeneous);
+    let offset_conditions = conditions::of_offset(&derivation.offset);
+    Ok(Derived { item, model, derivation, conditions, offset_conditions })
 }
 
 /// Why the offset is rational, or not, in a sentence; `show` writes polynomials.
 fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> String {
     let reason = match &derivation.offset {
         Offset::Irrational { odd } => {
-            format!("|N|^2 contains the factor {} to an odd power, so it is no square", show(odd))
+            let values = derivation.normal.squared_length().member().iter();
+            let values: Vec<String> = values.map(|(symbol, value)| format!("{symbol} = {value}")).collect();
+            let place =
+                if values.is_empty() { String::new() } else { format!(" where {}", values.join(", ")) };
+            format!("|N|^2 contains the factor {} to an odd power{place}, so it is no square", show(odd))
         }
-        Offset::SymbolicRadical { radicand } => {
-            format!("|N| contains the square root of {}, which depends on the symbols alone", show(radicand))
+        Offset::SymbolicRadical { radicand, radical, .. } => {
+            let radicand = show(radicand);
+            format!(
+                "|N| is a polynomial over {radical} = sqrt({radicand}), which depends on the symbols alone"
+            )
         }
-        _ if derivation.normal.split().unit.is_one() => "|N|^2 is the square of a polynomial".to_owned(),
+        _ if derivation.normal.squared_length().split().unit.is_one() => {
+            "|N|^2 is the square of a polynomial".to_owned()
+        }
         _ => "|N|^2 is the square of a polynomial, times a positive number".to_owned(),
     };
     match &derivation.orientation {

@@ -1,7 +1,8 @@
 //! Derivations for people.
 
-use hodograph_algebra::{Bidegree, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{Bidegree, Conditions, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
 
+use super::conditions::{Alternative, statements};
 use super::factors::Factors;
 use super::{APPROXIMATION_DIGITS, Derived, offset_reason};
 use crate::decimal::significant;
@@ -12,6 +13,9 @@ const LONGEST_POINT: usize = 85;
 
 /// How many significant digits these decimals have.
 const POINT_DIGITS: u32 = 12;
+
+/// How many characters of equations that hold together are printed.
+const LONGEST_CONDITION: usize = 200;
 
 /// How many characters of the description of a zero are printed.
 const LONGEST: usize = 600;
@@ -33,6 +37,10 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
         page.item("", clause);
     }
     degrees(&mut page, &derivation.homogeneous);
+    if !derivation.symbols.is_empty() {
+        page.title("Conditions on the symbols for these degrees");
+        conditions(&mut page, derived.conditions.as_ref(), &derivation.parameters);
+    }
     field(&mut page, derivation);
     page.title("Homogeneous coordinates");
     coordinates(&mut page, &derivation.homogeneous);
@@ -40,16 +48,23 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
     page.title("Parametric speeds");
     for (name, speed) in ["|R_u|", "|R_v|"].iter().zip(&derivation.speeds) {
         let (function, value) = match &speed.root {
-            Some(root) if speed.certified || root.is_zero() => ("", root),
-            Some(root) => ("abs", root),
-            None => ("sqrt", &speed.squared),
+            Some(root) if speed.certified || root.is_zero() => ("", root.clone()),
+            Some(root) => ("abs", root.clone()),
+            None => match speed.squared() {
+                Some(squared) => ("sqrt", squared),
+                None => {
+                    page.item(&format!("{name} = "), &cut(&speed.to_string(), LONGEST));
+                    page.shortened = true;
+                    continue;
+                }
+            },
         };
-        let value = page.fraction(value, &derivation.parameters);
+        let value = page.fraction(&value, &derivation.parameters);
         let value = if function.is_empty() { value } else { format!("{function}({value})") };
         page.item(&format!("{name} = "), &value);
     }
     singular(&mut page, derivation);
-    offset(&mut page, derivation);
+    offset(&mut page, derived);
     control_net(&mut page, derivation);
     if page.shortened {
         page.title("`--format json` prints everything in full.");
@@ -160,11 +175,15 @@ fn normal(page: &mut Page, derivation: &Derivation) {
     }
     let factor = page.fraction(normal.factor(), &derivation.parameters);
     page.item("c = ", &factor);
-    let split = normal.split();
-    let squares = [(normal.radicand(), 1), (&split.root, 2), (&split.odd, 1)];
+    let squared = normal.squared_length();
+    let split = squared.split();
+    let squares = [(squared.radicand(), 1), (&split.root, 2), (&split.odd, 1)];
     let factors = squares.into_iter().filter(|(factor, _)| !factor.is_one());
     let factors = factors.map(|(factor, exponent)| (factor.clone(), exponent)).collect();
-    page.product("|N|^2 = ", &Factors { unit: split.unit.clone(), factors });
+    let values = squared.member().iter().map(|(symbol, value)| format!("{symbol} = {value}"));
+    let values = values.collect::<Vec<_>>().join(", ");
+    let name = if values.is_empty() { "|N|^2 = ".to_owned() } else { format!("|N|^2 where {values} = ") };
+    page.product(&name, &Factors { unit: split.unit.clone(), factors });
 }
 
 fn singular(page: &mut Page, derivation: &Derivation) {
@@ -190,14 +209,83 @@ fn singular(page: &mut Page, derivation: &Derivation) {
     }
 }
 
-fn offset(page: &mut Page, derivation: &Derivation) {
+fn offset(page: &mut Page, derived: &Derived<'_>) {
+    let derivation = &derived.derivation;
     page.title(&format!("Offset at the distance {}", derivation.distance));
     let answer = if derivation.offset.is_rational() { "rational: " } else { "not rational: " };
     page.item(answer, &offset_reason(derivation, polynomial));
-    if let Offset::Rational(offset) = &derivation.offset {
+    if let Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } = &derivation.offset {
         page.item("degrees ", &format!("{}, patch {}", named(offset.degrees()), offset.degree()));
+        conditions(page, derived.offset_conditions.as_ref(), &derivation.parameters);
         coordinates(page, offset);
     }
+}
+
+/// Where the degrees are other ones, a sentence a line.
+fn conditions(page: &mut Page, conditions: Option<&Conditions>, parameters: &[Variable; 2]) {
+    let Some(conditions) = conditions else {
+        page.item("", "the conditions on the symbols are not determined within the budget");
+        return;
+    };
+    let statements = statements(conditions, parameters);
+    if statements.is_empty() {
+        page.item("", "none: no values of the symbols change a degree");
+    }
+    for statement in statements {
+        let several = statement.alternatives.len() > 1;
+        for (number, alternative) in statement.alternatives.iter().enumerate() {
+            let what = if number == 0 { statement.what.as_str() } else { "or" };
+            let exactly = match (alternative.exact, several) {
+                (false, _) => "only where",
+                (true, false) => "exactly where",
+                (true, true) => "where",
+            };
+            let text = alternative_text(page, alternative);
+            page.item("", &format!("{what} {exactly} {text}"));
+        }
+    }
+}
+
+fn alternative_text(page: &mut Page, alternative: &Alternative) -> String {
+    let mut text = match (&alternative.equations, &alternative.common_zero) {
+        (Some(equations), _) => together(page, equations),
+        (None, Some((parameter, polynomials))) => {
+            let shown: Vec<String> = polynomials.iter().map(|poly| shown(page, poly)).collect();
+            match shown.as_slice() {
+                [factor] => format!(
+                    "X, Y and Z have a factor in common with {factor} (not determined within the budget)"
+                ),
+                many => format!("{} have a common zero {parameter}", many.join(" and ")),
+            }
+        }
+        (None, None) => String::new(),
+    };
+    if !alternative.unless.is_empty() {
+        let unless = alternative.unless.alternatives().iter().map(|all| together(page, all));
+        text += &format!(", unless {}", unless.collect::<Vec<_>>().join(" or "));
+    }
+    text
+}
+
+/// Equations, joined by `and`; of very many long ones the first.
+fn together(page: &mut Page, equations: &[Poly]) -> String {
+    let mut text = String::new();
+    for (number, poly) in equations.iter().enumerate() {
+        if number > 0 && text.len() + poly.to_string().len() > LONGEST_CONDITION {
+            page.shortened = true;
+            return format!("{text} and … ({} equations)", equations.len());
+        }
+        if number > 0 {
+            text += " and ";
+        }
+        text += &format!("{} == 0", shown(page, poly));
+    }
+    text
+}
+
+fn shown(page: &mut Page, poly: &Poly) -> String {
+    page.shortened |= !is_short(poly);
+    polynomial(poly)
 }
 
 fn control_net(page: &mut Page, derivation: &Derivation) {

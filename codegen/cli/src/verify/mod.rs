@@ -6,7 +6,7 @@ mod text;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use hodograph_algebra::{Bidegree, budget};
+use hodograph_algebra::{Bidegree, OffsetError, budget};
 use hodograph_codegen::language::ast::{ItemKind, Verdict};
 use hodograph_codegen::language::{Diagnostic, Diagnostics, Report};
 use hodograph_codegen::meaning::{Judgement, Model};
@@ -78,10 +78,15 @@ fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
         let homogeneous = match budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()) {
             Ok(homogeneous) => homogeneous,
             Err(exhausted) => {
-                diagnostics.push(Diagnostic::new(model.span, exhausted.to_string()));
+                diagnostics.push(Diagnostic::new(model.place, exhausted.to_string()));
                 return None;
             }
         };
+        match budget::with_budget(budget::DEFAULT_LIMIT, || surface.is_surface()) {
+            Ok(true) => {}
+            Ok(false) => diagnostics.push(Diagnostic::new(model.place, OffsetError::NoSurface.to_string())),
+            Err(exhausted) => diagnostics.push(Diagnostic::new(model.place, exhausted.to_string())),
+        }
         let (patch, raw) = (homogeneous.degree(), homogeneous.raw_degree());
         Some(Degrees { coordinates: homogeneous.degrees(), patch, raw })
     });

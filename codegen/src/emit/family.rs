@@ -1,0 +1,218 @@
+//! Families: surfaces whose coefficients are set at run time.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::body::{Body, symbol};
+use super::code::Code;
+use super::rust::doc;
+use super::{Artifact, Setting, net};
+use crate::meaning::CoefficientKind;
+use crate::schedule::outputs;
+
+/// The struct of what is set, the struct of what is computed from that, and the surface itself.
+pub(super) fn definition(name: &Ident, artifact: &Artifact, code: &Code<'_>) -> TokenStream {
+    let settings = artifact.symbols.iter().map(|setting| {
+        let (name, docs) = (field(setting), doc([documentation(setting).as_str()]));
+        let shape = match setting {
+            Setting::Number(_) => quote! { f64 },
+            Setting::Curve { rows, .. } => {
+                let (count, width) = shape(rows);
+                quote! { [[f64; #width]; #count] }
+            }
+        };
+        quote! { #docs pub #name: #shape }
+    });
+    let kept = code.fields.iter().map(|(name, values)| {
+        let length = Literal::usize_unsuffixed(values.len());
+        quote! { #name: [f64; #length] }
+    });
+    let length = net_length(artifact);
+    let text = format!("A surface of the family `{}`, with its coefficients.", artifact.name);
+    let docs = doc([text.as_str(), "", "It is made by [`new`](Self::new), which checks its parameters."]);
+    let text = format!("What a surface of the family `{}` is made of.", artifact.name);
+    let parameters_docs = doc([text.as_str()]);
+    quote! {
+        #parameters_docs
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Parameters {
+            #(#settings),*
+        }
+
+        #docs
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name {
+            parameters: Parameters,
+            coefficients: Coefficients,
+            control_net: [[f64; 4]; #length],
+        }
+
+        /// What evaluators need of the parameters alone.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        struct Coefficients {
+            #(#kept),*
+        }
+    }
+}
+
+/// The constructor, and what it computes.
+pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream {
+    let runtime = code.runtime;
+    let checks = artifact.symbols.iter().map(|setting| {
+        let name = field(setting);
+        let text = name.to_string();
+        let values = match setting {
+            Setting::Number(_) => quote! { &[parameters.#name] },
+            Setting::Curve { .. } => quote! { parameters.#name.as_flattened() },
+        };
+        quote! { #runtime::family::check_finite(#text, #values)?; }
+    });
+    let columns = Literal::usize_unsuffixed(artifact.degree.1 as usize + 1);
+    let coefficients = coefficients(artifact, code);
+    let length = net_length(artifact);
+    let net = net::net(artifact, code);
+    let speeds = speeds(code);
+    let check_speeds = speeds.is_some().then(|| quote! { surface.check_speeds()?; });
+    quote! {
+        /// The surface with these parameters.
+        ///
+        /// # Errors
+        /// If a parameter is infinite or NaN, or so large that a coefficient overflows; if the weight W vanishes on the
+        /// domain, or comes nearer to zero than rounding can tell; if a parametric speed is not positive.
+        pub fn new(parameters: Parameters) -> ::core::result::Result<Self, #runtime::ParameterError> {
+            #(#checks)*
+            let coefficients = Self::coefficients(&parameters);
+            let mut surface = Self { parameters, coefficients, control_net: [[0.0; 4]; #length] };
+            surface.control_net = surface.net();
+            #runtime::family::check_net(&surface.control_net, #columns, &Self::DOMAIN)?;
+            #check_speeds
+            ::core::result::Result::Ok(surface)
+        }
+
+        /// What the surface is made of.
+        #[must_use]
+        pub fn parameters(&self) -> &Parameters {
+            &self.parameters
+        }
+
+        #coefficients
+        #net
+        #speeds
+    }
+}
+
+/// The function that certifies parametric speeds to be positive on the domain, if values of symbols decide on that.
+fn speeds(code: &Code<'_>) -> Option<TokenStream> {
+    let runtime = code.runtime;
+    let conditions = code.program.results(outputs::CONDITIONS);
+    let checks: Vec<TokenStream> = conditions
+        .iter()
+        .map(|&condition| {
+            let (statements, coefficients) = net::of_one_parameter(code, condition);
+            quote! { {
+                #statements
+                #runtime::family::check_speed(&#coefficients)?;
+            } }
+        })
+        .collect();
+    (!checks.is_empty()).then(|| {
+        quote! {
+            /// Checks that the curves have positive parametric speeds.
+            fn check_speeds(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
+                #(#checks)*
+                ::core::result::Result::Ok(())
+            }
+        }
+    })
+}
+
+/// The function that computes what all evaluators need of the parameters.
+fn coefficients(artifact: &Artifact, code: &Code<'_>) -> TokenStream {
+    let mut values: Vec<_> = code.fields.iter().flat_map(|(_, values)| values.iter().copied()).collect();
+    values.sort();
+    values.dedup();
+    let Body { statements, results, inputs } = Body::new(code, &values, &BTreeMap::new());
+    let of = |value| values.iter().position(|other| *other == value).map(|place| &results[place]);
+    let fields = code.fields.iter().map(|(name, values)| {
+        let values = values.iter().map(|&value| of(value));
+        quote! { #name: [#(#values),*] }
+    });
+    let used = |name: &str| {
+        let place = code.program.symbols().iter().position(|known| known == name);
+        place.is_some_and(|place| inputs.contains(&crate::program::Input::Symbol(place as u32)))
+    };
+    let variable = |name: &String| {
+        if used(name) {
+            symbol(name).to_token_stream()
+        } else {
+            quote! { _ }
+        }
+    };
+    let patterns = artifact.symbols.iter().map(|setting| {
+        let name = field(setting);
+        match setting {
+            Setting::Number(text) => {
+                if used(text) {
+                    // The field and the variable have one name.
+                    return quote! { #name };
+                }
+                quote! { #name: _ }
+            }
+            Setting::Curve { rows, .. } => {
+                let rows = rows.iter().map(|row| {
+                    let row = row.iter().map(variable);
+                    quote! { [#(#row),*] }
+                });
+                quote! { #name: [#(#rows),*] }
+            }
+        }
+    });
+    quote! {
+        fn coefficients(parameters: &Parameters) -> Coefficients {
+            let Parameters { #(#patterns),* } = *parameters;
+            #statements
+            Coefficients { #(#fields),* }
+        }
+    }
+}
+
+/// The name of what is set.
+fn field(setting: &Setting) -> Ident {
+    match setting {
+        Setting::Number(name) | Setting::Curve { name, .. } => symbol(name),
+    }
+}
+
+fn documentation(setting: &Setting) -> String {
+    match setting {
+        Setting::Number(name) => format!("The number `{name}`."),
+        Setting::Curve { name, kind, rows } => {
+            let symbols: Vec<String> = rows.iter().map(|row| format!("({})", row.join(", "))).collect();
+            let symbols = symbols.join(", ");
+            match kind {
+                CoefficientKind::Preimage => format!(
+                    "The preimage of the curve `{name}`: real and imaginary parts {symbols} of its Bernstein coefficients."
+                ),
+                CoefficientKind::Polynomial => {
+                    format!("The curve `{name}`: the coefficients {symbols} of the powers of its parameter.")
+                }
+                CoefficientKind::Rational => format!(
+                    "The curve `{name}`: weight and homogeneous coordinates {symbols} as coefficients of the powers of its parameter."
+                ),
+            }
+        }
+    }
+}
+
+/// Numbers of rows and columns.
+fn shape(rows: &[Vec<String>]) -> (Literal, Literal) {
+    let width = rows.first().map_or(0, Vec::len);
+    (Literal::usize_unsuffixed(rows.len()), Literal::usize_unsuffixed(width))
+}
+
+fn net_length(artifact: &Artifact) -> Literal {
+    let (m, n) = artifact.degree;
+    Literal::usize_unsuffixed((m as usize + 1) * (n as usize + 1))
+}

@@ -1,0 +1,186 @@
+//! The control net of a member of a family: its polynomials, computed in the Bernstein basis at run time.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::Artifact;
+use super::code::Code;
+use crate::program::{Input, Operation, Stage, Term, Value};
+use crate::schedule::outputs;
+
+/// The function that computes the control net from the homogeneous coordinates.
+pub(super) fn net(artifact: &Artifact, code: &Code<'_>) -> TokenStream {
+    let runtime = code.runtime;
+    let (m, n) = (artifact.degree.0 as usize, artifact.degree.1 as usize);
+    let mut writer = Writer::new(code);
+    let mut sums = TokenStream::new();
+    for (coordinate, &result) in code.program.results(outputs::HOMOGENEOUS).iter().enumerate() {
+        let Some(terms) = code.program.terms(result) else {
+            unreachable!("homogeneous coordinates are polynomials")
+        };
+        for term in terms {
+            let coordinate = Literal::usize_unsuffixed(coordinate);
+            let factor = writer.factor(&term);
+            let (u, v) = (writer.elevated(&term.u, m), writer.elevated(&term.v, n));
+            sums.extend(
+                quote! { #runtime::bernstein::accumulate(&mut net, #coordinate, #factor, &#u, &#v); },
+            );
+        }
+    }
+    let statements = writer.statements;
+    let length = Literal::usize_unsuffixed((m + 1) * (n + 1));
+    quote! {
+        /// The control net over the domain.
+        fn net(&self) -> [[f64; 4]; #length] {
+            #statements
+            let mut net = [[0.0; 4]; #length];
+            #sums
+            net
+        }
+    }
+}
+
+/// Statements, and then the Bernstein coefficients of a value that depends on one parameter.
+pub(super) fn of_one_parameter(code: &Code<'_>, value: Value) -> (TokenStream, TokenStream) {
+    let mut writer = Writer::new(code);
+    let coefficients = match writer.value(value) {
+        Form::Number(number) => quote! { [#number] },
+        Form::Polynomial(name, _) => name.to_token_stream(),
+    };
+    (writer.statements, coefficients)
+}
+
+/// A value: a number, or the variable with a polynomial's Bernstein coefficients and its degree.
+#[derive(Clone)]
+enum Form {
+    Number(TokenStream),
+    Polynomial(Ident, usize),
+}
+
+struct Writer<'a> {
+    code: &'a Code<'a>,
+    statements: TokenStream,
+    known: BTreeMap<Value, Form>,
+    temporaries: usize,
+}
+
+impl<'a> Writer<'a> {
+    fn new(code: &'a Code<'a>) -> Writer<'a> {
+        Writer { code, statements: TokenStream::new(), known: BTreeMap::new(), temporaries: 0 }
+    }
+
+    /// The number in front of a term.
+    fn factor(&mut self, term: &Term) -> TokenStream {
+        let sign = if term.negative {
+            quote! { -1.0 }
+        } else {
+            quote! { 1.0 }
+        };
+        let mut numbers = term.numbers.iter().map(|&value| match self.value(value) {
+            Form::Number(number) => number,
+            Form::Polynomial(..) => unreachable!("numbers depend on no parameter"),
+        });
+        match (numbers.next(), term.negative) {
+            (None, _) => sign,
+            (Some(first), false) => quote! { #first #(* #numbers)* },
+            (Some(first), true) => quote! { -1.0 * #first #(* #numbers)* },
+        }
+    }
+
+    /// The coefficients of a product of polynomials of one parameter, for a degree that is not too low.
+    fn elevated(&mut self, factors: &[Value], degree: usize) -> TokenStream {
+        let runtime = self.code.runtime;
+        let length = Literal::usize_unsuffixed(degree + 1);
+        let mut product: Option<(Ident, usize)> = None;
+        for &factor in factors {
+            let Form::Polynomial(name, own) = self.value(factor) else { unreachable!("it has a parameter") };
+            product = Some(match product {
+                None => (name, own),
+                Some((other, sum)) => {
+                    let code = quote! { #runtime::bernstein::product(&#other, &#name) };
+                    (self.temporary(sum + own, &code), sum + own)
+                }
+            });
+        }
+        match product {
+            None => quote! { [1.0; #length] },
+            Some((name, own)) if own == degree => name.to_token_stream(),
+            Some((name, _)) => {
+                let code = quote! { #runtime::bernstein::elevated(&#name) };
+                self.temporary(degree, &code).to_token_stream()
+            }
+        }
+    }
+
+    fn temporary(&mut self, degree: usize, code: &TokenStream) -> Ident {
+        self.temporaries += 1;
+        let name = Ident::new(&format!("e{}", self.temporaries), Span::call_site());
+        self.bind(&name, degree, code);
+        name
+    }
+
+    fn bind(&mut self, name: &Ident, degree: usize, code: &TokenStream) {
+        let length = Literal::usize_unsuffixed(degree + 1);
+        self.statements.extend(quote! { let #name: [f64; #length] = #code; });
+    }
+
+    /// The form of a value that depends on one parameter at most.
+    fn value(&mut self, value: Value) -> Form {
+        if let Some(form) = self.known.get(&value) {
+            return form.clone();
+        }
+        let form = self.new_value(value);
+        self.known.insert(value, form.clone());
+        form
+    }
+
+    fn new_value(&mut self, value: Value) -> Form {
+        use Form::{Number, Polynomial};
+        let (program, runtime) = (self.code.program, self.code.runtime);
+        if program.stage(value) <= Stage::Symbols {
+            return Number(self.code.body(&[value]).results.into_iter().collect());
+        }
+        let (degree, code) = match *program.operation(value) {
+            Operation::Input(Input::U) => (1, quote! { Self::DOMAIN.u }),
+            Operation::Input(_) => (1, quote! { Self::DOMAIN.v }),
+            Operation::Negate(a) => match self.value(a) {
+                Polynomial(a, degree) => (degree, quote! { #runtime::bernstein::scaled(&#a, -1.0) }),
+                Number(_) => unreachable!("it has a parameter"),
+            },
+            Operation::Add(a, b) => match (self.value(a), self.value(b)) {
+                (Polynomial(a, m), Polynomial(b, n)) => {
+                    (m.max(n), quote! { #runtime::bernstein::sum(&#a, &#b, 1.0) })
+                }
+                (Polynomial(a, m), Number(b)) | (Number(b), Polynomial(a, m)) => {
+                    (m, quote! { #runtime::bernstein::sum(&#a, &[#b], 1.0) })
+                }
+                (Number(_), Number(_)) => unreachable!("it has a parameter"),
+            },
+            Operation::Subtract(a, b) => match (self.value(a), self.value(b)) {
+                (Polynomial(a, m), Polynomial(b, n)) => {
+                    (m.max(n), quote! { #runtime::bernstein::sum(&#a, &#b, -1.0) })
+                }
+                (Polynomial(a, m), Number(b)) => (m, quote! { #runtime::bernstein::sum(&#a, &[#b], -1.0) }),
+                (Number(a), Polynomial(b, n)) => (n, quote! { #runtime::bernstein::sum(&[#a], &#b, -1.0) }),
+                (Number(_), Number(_)) => unreachable!("it has a parameter"),
+            },
+            Operation::Multiply(a, b) => match (self.value(a), self.value(b)) {
+                (Polynomial(a, m), Polynomial(b, n)) => {
+                    (m + n, quote! { #runtime::bernstein::product(&#a, &#b) })
+                }
+                (Polynomial(a, m), Number(b)) | (Number(b), Polynomial(a, m)) => {
+                    (m, quote! { #runtime::bernstein::scaled(&#a, #b) })
+                }
+                (Number(_), Number(_)) => unreachable!("it has a parameter"),
+            },
+            Operation::Constant(_) | Operation::Divide(..) | Operation::SquareRoot(_) => {
+                unreachable!("homogeneous coordinates and conditions are polynomials")
+            }
+        };
+        let name = Ident::new(&format!("b{}", value.index()), Span::call_site());
+        self.bind(&name, degree, &code);
+        Polynomial(name, degree)
+    }
+}
