@@ -194,6 +194,7 @@ fn derive_writes_json() {
         "degree",
         "raw_degree",
         "common_factor",
+        "conditions",
         "normal",
         "speeds",
         "singular",

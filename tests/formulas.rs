@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use hodograph_codegen::language::ast::ItemKind;
-use hodograph_tests::catalogue::{entries, files, sweeps};
+use hodograph_tests::catalogue::{entries, families, files, sweeps};
 use hodograph_tests::{layout, verdicts};
 
 /// Compares with `snapshots/formulas__NAME.snap`.
@@ -83,8 +83,9 @@ fn every_snapshot_is_of_something() {
     let has_claims =
         files().into_iter().filter(|file| file.models.iter().any(|model| !model.claims.is_empty()));
     expected.extend(has_claims.map(|file| claims(&file.stem)));
-    for entry in entries() {
-        let name = entry.model.name;
+    let concrete = entries().into_iter().map(|entry| entry.model);
+    for model in concrete.chain(families()) {
+        let name = model.name;
         expected.extend([format!("codegen__{name}.snap"), format!("codegen__{name}_program.snap")]);
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
