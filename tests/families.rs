@@ -4,11 +4,14 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use hodograph::bernstein::power_coefficients;
-use hodograph::ph::{from_control_points, hermite};
+use hodograph::ph::{PhError, from_control_points, hermite};
 use hodograph::{ParameterError, Regularity, Surface, catalogue};
+use hodograph_algebra::{Complex, Hermite, Poly};
+use hodograph_codegen::round::nearest;
 use hodograph_tests::catalogue::{families, member};
 use hodograph_tests::measure::measure;
 use hodograph_tests::precision::family_allowance;
+use hodograph_tests::random::SplitMix64;
 
 /// A member of a family, and the values of its symbols.
 struct Member {
@@ -219,4 +222,62 @@ fn singular_points_of_families_are_explicit() {
         .collect();
     assert!(sides.len() >= 200, "normals are there almost everywhere");
     assert_eq!(surface.unit_normal(f64::NAN, 0.0), Regularity::Singular);
+}
+
+#[test]
+fn the_float_solver_chooses_the_curve_that_exact_comparison_chooses() {
+    let mut random = SplitMix64::new(1995);
+    let mut compared = 0;
+    for _ in 0..60 {
+        let mut number = || (random.next_f64() * 16.0).floor() - 8.0;
+        let data: [[f64; 2]; 4] = std::array::from_fn(|_| [number(), number()]);
+        let exact = data.map(|[x, y]| Complex::new(Poly::integer(x as i64), Poly::integer(y as i64)));
+        let [from, tangent, to, end] = data;
+        let found = hermite(from, tangent, to, end);
+        let Ok(exact) = Hermite::new(&exact[0], &exact[1], &exact[2], &exact[3]) else {
+            assert_eq!(found, Err(PhError::ZeroTangent), "{data:?}");
+            continue;
+        };
+        // Ties, and curves through a point without tangent, are left to the caller there.
+        let Ok(preimage) = exact.least_rotation() else { continue };
+        let found = found.unwrap();
+        let truth: Vec<[f64; 2]> = preimage
+            .coefficients()
+            .iter()
+            .map(|w| [nearest(&w.re).unwrap(), nearest(&w.im).unwrap()])
+            .collect();
+        // Both signs of w give the same curve.
+        let same = |sign: f64| {
+            let pairs = found.as_flattened().iter().zip(truth.as_flattened());
+            pairs.map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max)
+        };
+        let size = truth.as_flattened().iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        assert!(same(1.0).min(same(-1.0)) <= 1e-14 * size, "{data:?}: {found:?}, exactly {truth:?}");
+        compared += 1;
+    }
+    assert!(compared >= 40, "only {compared} data are compared");
+}
+
+hodograph::sweep! {
+    /// A sweep along a cubic with the hodograph (1 + c v) w², whose parametric speed must stay positive.
+    sweep parameters {
+        symbol c, where_;
+        path s(v) = ph([1, 1 + I], factor = 1 + c*v);
+        surface R = s + u*where_*s.normal + u*k;
+        domain u in 0..1, v in 0..2;
+    }
+}
+
+#[test]
+fn parametric_speeds_are_checked() {
+    let new = |c| parameters::Parameters::new(parameters::FamilyParameters { c, where_: 1.0 });
+    let surface = new(0.5).unwrap();
+    assert_eq!(surface.point(0.0, 0.0), [0.0; 3]);
+    // s' = (1 + c v)(1 + i v)², s(1) = 2/3 + c/4 + i (1 + 2c/3)
+    let [x, y, z] = surface.point(0.0, 1.0);
+    assert!((x - (2.0 / 3.0 + 0.125)).abs() < 1e-15 && (y - 4.0 / 3.0).abs() < 1e-15 && z == 0.0);
+    // 1 + c v vanishes at v = 2, and changes its sign on the domain.
+    assert_eq!(new(-0.5).unwrap_err(), ParameterError::Speed);
+    assert_eq!(new(-1.0).unwrap_err(), ParameterError::Speed);
+    assert!(new(-0.499).is_ok());
 }

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::body::{Body, symbol};
 use super::code::Code;
-use super::rust::doc;
+use super::rust::{camel_case, doc};
 use super::{Artifact, Setting, net};
 use crate::meaning::CoefficientKind;
 use crate::schedule::outputs;
@@ -34,24 +34,25 @@ pub(super) fn definition(name: &Ident, artifact: &Artifact, code: &Code<'_>) -> 
     let docs = doc([text.as_str(), "", "It is made by [`new`](Self::new), which checks its parameters."]);
     let text = format!("What a surface of the family `{}` is made of.", artifact.name);
     let parameters_docs = doc([text.as_str()]);
+    let [parameters, coefficients] = types(artifact);
     quote! {
         #parameters_docs
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Parameters {
+        pub struct #parameters {
             #(#settings),*
         }
 
         #docs
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct #name {
-            parameters: Parameters,
-            coefficients: Coefficients,
+            parameters: #parameters,
+            coefficients: #coefficients,
             control_net: [[f64; 4]; #length],
         }
 
         /// What evaluators need of the parameters alone.
         #[derive(Clone, Copy, Debug, PartialEq)]
-        struct Coefficients {
+        struct #coefficients {
             #(#kept),*
         }
     }
@@ -70,7 +71,8 @@ pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream 
         quote! { #runtime::family::check_finite(#text, #values)?; }
     });
     let columns = Literal::usize_unsuffixed(artifact.degree.1 as usize + 1);
-    let coefficients = coefficients(artifact, code);
+    let computation = coefficients(artifact, code);
+    let [parameters, _] = types(artifact);
     let length = net_length(artifact);
     let net = net::net(artifact, code);
     let speeds = speeds(code);
@@ -81,7 +83,7 @@ pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream 
         /// # Errors
         /// If a parameter is infinite or NaN, or so large that a coefficient overflows; if the weight W vanishes on the
         /// domain, or comes nearer to zero than rounding can tell; if a parametric speed is not positive.
-        pub fn new(parameters: Parameters) -> ::core::result::Result<Self, #runtime::ParameterError> {
+        pub fn new(parameters: #parameters) -> ::core::result::Result<Self, #runtime::ParameterError> {
             #(#checks)*
             let coefficients = Self::coefficients(&parameters);
             let mut surface = Self { parameters, coefficients, control_net: [[0.0; 4]; #length] };
@@ -93,11 +95,11 @@ pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream 
 
         /// What the surface is made of.
         #[must_use]
-        pub fn parameters(&self) -> &Parameters {
+        pub fn parameters(&self) -> &#parameters {
             &self.parameters
         }
 
-        #coefficients
+        #computation
         #net
         #speeds
     }
@@ -169,13 +171,23 @@ fn coefficients(artifact: &Artifact, code: &Code<'_>) -> TokenStream {
             }
         }
     });
+    let [parameters, coefficients] = types(artifact);
     quote! {
-        fn coefficients(parameters: &Parameters) -> Coefficients {
-            let Parameters { #(#patterns),* } = *parameters;
+        fn coefficients(parameters: &#parameters) -> #coefficients {
+            let #parameters { #(#patterns),* } = *parameters;
             #statements
-            Coefficients { #(#fields),* }
+            #coefficients { #(#fields),* }
         }
     }
+}
+
+/// The names of the types of what is set and of what is computed from that; the surface itself may have one of the usual ones.
+fn types(artifact: &Artifact) -> [Ident; 2] {
+    let own = camel_case(&artifact.name);
+    ["Parameters", "Coefficients"].map(|usual| {
+        let name = if own == usual { format!("Family{usual}") } else { usual.to_string() };
+        Ident::new(&name, Span::call_site())
+    })
 }
 
 /// The name of what is set.

@@ -12,7 +12,7 @@ use crate::program::{Operation, Program, Stage, Table, Value};
 /// The names of the functions for those polynomials whose coefficients are too long to stand in a formula.
 pub(super) fn functions(program: &Program<f64>) -> BTreeMap<Value, Ident> {
     // What the items of a surface are called otherwise.
-    const TAKEN: [&str; 16] = [
+    const TAKEN: [&str; 21] = [
         "homogeneous",
         "point",
         "partial_u",
@@ -29,6 +29,11 @@ pub(super) fn functions(program: &Program<f64>) -> BTreeMap<Value, Ident> {
         "degree",
         "domain",
         "control_net",
+        "new",
+        "parameters",
+        "coefficients",
+        "net",
+        "check_speeds",
     ];
     let long = program.tables().iter().filter(|table| is_long(program, table));
     long.map(|table| {

@@ -107,6 +107,12 @@ fn documentation(artifact: &Artifact) -> TokenStream {
         counts[1],
         counts[2]
     ));
+    if !artifact.symbols.is_empty() {
+        let all: Vec<Value> = program.outputs().iter().flat_map(|output| output.values.clone()).collect();
+        let once = program.count(&all, Stage::Symbols);
+        lines.push(format!("- A family: each member computes its coefficients once, in {once}."));
+        lines.push("- The degrees are those of a general member.".to_string());
+    }
     doc(lines.iter().map(String::as_str))
 }
 
@@ -422,7 +428,7 @@ pub(super) fn doc<'a>(lines: impl IntoIterator<Item = &'a str>) -> TokenStream {
 }
 
 /// `a_name` as `AName`.
-fn camel_case(name: &str) -> String {
+pub(super) fn camel_case(name: &str) -> String {
     let word = |word: &str| {
         let mut letters = word.chars();
         letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())

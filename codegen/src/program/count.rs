@@ -80,10 +80,11 @@ impl<C: Constant> Program<C> {
         counts
     }
 
-    /// The operations of all stages that `results` take: those of a single evaluation.
+    /// The operations that `results` take in a single evaluation: those of all stages but [`Stage::Symbols`], which are done
+    /// once for each member of a family.
     #[must_use]
     pub fn count_all(&self, results: &[Value]) -> OperationCounts {
-        let stages = [Stage::Constant, Stage::Symbols, Stage::V, Stage::U, Stage::Both];
+        let stages = [Stage::Constant, Stage::V, Stage::U, Stage::Both];
         stages.iter().fold(OperationCounts::default(), |sum, &stage| sum + self.count(results, stage))
     }
 }
