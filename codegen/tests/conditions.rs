@@ -128,6 +128,8 @@ fn an_offset_over_a_root_of_the_symbols_has_a_degree() {
     );
     assert_eq!(judgements[0].verdict, Verdict::Proved);
     assert_eq!(judgements[0].derived, "(9, 1)");
+    assert_eq!(judgements[0].scope, "general c0, c1, r");
+    assert_eq!(judgements[0].condition.as_deref(), Some("general values of the symbols"));
 }
 
 #[test]
@@ -137,6 +139,8 @@ fn conditions_that_make_no_sense_are_mistakes() {
         ("1 != 1", "this condition never holds"),
         ("v == 1", "a condition is about symbols, which do not depend on parameters"),
         ("a*a == b", "-"),
+        ("a > 0, when a == -1", "this condition never holds"),
+        ("a > pi", "pi is not algebraic, so it can only stand in angles"),
         (
             "a*b == 1",
             "this equation cannot be solved for a symbol: none stands in it linearly, times a number",
@@ -150,5 +154,178 @@ fn conditions_that_make_no_sense_are_mistakes() {
         let judged = models[0].check(&models[0].claims[0], DEFAULT_LIMIT);
         let found = judged.err().map_or_else(|| "-".to_owned(), |diagnostic| diagnostic.message.clone());
         assert_eq!(found, message, "{condition}");
+    }
+}
+
+/// Checks verdict, scope and condition of claims; `-` stands for no condition.
+#[track_caller]
+fn told(text: &str, expected: &[(Verdict, &str, &str)]) {
+    let judgements = judge(text);
+    assert_eq!(judgements.len(), expected.len());
+    for (judgement, (verdict, scope, condition)) in judgements.iter().zip(expected) {
+        let statement = &judgement.statement;
+        assert_eq!(judgement.verdict, *verdict, "{statement}: {}", judgement.derived);
+        assert_eq!(judgement.scope, *scope, "{statement}");
+        assert_eq!(judgement.condition.as_deref().unwrap_or("-"), *condition, "{statement}");
+    }
+}
+
+const GENERAL: &str = "general values of the symbols";
+
+#[test]
+fn offsets_at_the_distance_zero() {
+    told(
+        r#"sweep saddle {
+            symbol r;
+            surface R = (u, v, u*v);
+            domain u in 0..1, v in 0..1;
+            claim "1": is_rational(offset(R, 0));
+            claim "2": is_rational(offset(R, r)), when r == 0;
+            claim "3": not is_rational(offset(R, r));
+            claim "4": not is_rational(offset(R, r^2 - 1)), when r > 1;
+            claim "5": offset(R, 0) == R;
+        }"#,
+        &[
+            (Verdict::Proved, "the sweep saddle", "-"),
+            (Verdict::Proved, "the sweep saddle", "r == 0"),
+            (Verdict::Proved, "general r", "r != 0"),
+            (Verdict::Proved, "general r", "r > 1 and r + 1 != 0"),
+            (Verdict::Proved, "the sweep saddle", "-"),
+        ],
+    );
+    told(
+        r#"sweep paraboloid {
+            symbol c, r;
+            surface R = (u, v, c*u*v);
+            domain u in 0..1, v in 0..1;
+            claim "1": not is_rational(offset(R, r));
+        }"#,
+        &[(Verdict::Proved, "general c, r", "r != 0 and general values of the symbols")],
+    );
+}
+
+#[test]
+fn roots_of_symbols_are_constants() {
+    told(
+        r#"lemma roots {
+            symbol c, d, slope;
+            domain u in 0..1;
+            claim "1": is_rational(sqrt(1 + c^2));
+            claim "2": is_rational(sqrt(c*(1 + u)^2));
+            claim "3": is_rational(sqrt(c)), when c > 0;
+            claim "4": is_rational(sqrt(c^2 + d^2)/2);
+            claim "5": not is_rational(sqrt(1 + (slope*u)^2));
+            claim "6": is_rational(sqrt(1 + u^2)), expect refuted;
+            claim "7": is_rational(sqrt(c^3/(1 + u)^2));
+        }"#,
+        &[
+            (Verdict::Proved, "all c", "-"),
+            (Verdict::Proved, "all c", "c >= 0"),
+            (Verdict::Proved, "all c", "c > 0"),
+            (Verdict::Undecided, "all c, d, slope", "-"),
+            (Verdict::Proved, "general slope", GENERAL),
+            (Verdict::Refuted, "general c, d, slope", "-"),
+            (Verdict::Proved, "all c", "c >= 0"),
+        ],
+    );
+}
+
+#[test]
+fn greatest_common_divisors_hold_in_general() {
+    told(
+        r#"lemma divisors {
+            symbol a, b, c;
+            function x(u), y(u);
+            domain u in 0..1, v in 0..1;
+            let g = gcd(v - a, v - b);
+            claim "1": gcd(x, y) == 1;
+            claim "2": gcd(v - a, v - b) == 1;
+            claim "3": g == 1;
+            claim "4": degree(g, parameter = v) == 0;
+            claim "5": degree(gcd(v - a, v - b), parameter = v) <= 0;
+            claim "6": coprime(v*(c*v + 1), (v + 1)*(c*v + 1)), expect refuted;
+            claim "7": not coprime(c*v + 1, 2*c*v + 2);
+            claim "8": coprime(c*u, 1 + u);
+            claim "9": coprime(c*u, c*(1 + u));
+            claim "10": gcd(v^2 - 1, v - 1)*c == c*(v - 1);
+            claim "11": gcd(x*c, y*c) == c;
+        }"#,
+        &[
+            (Verdict::Proved, "general functions x, y", "-"),
+            (Verdict::Proved, "general a, b", "a - b != 0"),
+            (Verdict::Proved, "general a, b", "a - b != 0"),
+            (Verdict::Proved, "general a, b", "a - b != 0"),
+            (Verdict::Proved, "general a, b", "a - b != 0"),
+            (Verdict::Refuted, "general c", "c != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+            (Verdict::Proved, "all c", "-"),
+            (Verdict::Proved, "general functions x, y and general c", GENERAL),
+        ],
+    );
+}
+
+#[test]
+fn named_homogeneous_coordinates_have_the_conditions_of_the_surface() {
+    told(
+        r#"sweep parabolas {
+            symbol a, b, c;
+            let S = (u, v*(u - a)/(u - b), c*v^2);
+            surface R = (u, v*(u - a)/(u - b), c*v^2);
+            let H = homogeneous(S);
+            domain u in 0..1, v in 0..1;
+            claim "1": degree(H.W) == (1, 0);
+            claim "2": degree(homogeneous(R).Z) == (1, 2);
+            claim "3": degree(R) == (2, 2);
+            claim "4": homogeneous(R) == (u - b, u*(u - b), v*(u - a), c*v^2*(u - b));
+        }"#,
+        &[
+            (Verdict::Proved, "general a, b, c", "a - b != 0"),
+            (Verdict::Proved, "general a, b, c", "c != 0 and a - b != 0"),
+            (Verdict::Proved, "general a, b, c", "c != 0 and a - b != 0"),
+            (Verdict::Proved, "general a, b, c", "a - b != 0"),
+        ],
+    );
+}
+
+#[test]
+fn witnesses_satisfy_the_conditions() {
+    let text = r#"lemma witnesses {
+        symbol c, d;
+        domain v in 0..1;
+        claim "1": c == 1, when c < 0, expect refuted;
+        claim "2": c*v == v, when c > 1000, when c < 1001, expect refuted;
+        claim "3": c*v == d, when c < d, when d < 0, expect refuted;
+        claim "4": c*v == 0, when c <= 0, when c >= 0;
+        claim "5": c*v == d, when d >= 0, when d <= 0, expect refuted;
+        claim "6": c*v == 0, when c < 0, when c > 0;
+        claim "7": c*v != 0, when c <= 0, when c >= 0;
+        claim "8": c == c, when c < 0, when c > 0;
+        claim "9": c*d == v, when c^2 + d^2 < 1/100, expect refuted;
+        claim "10": c*v != 0, when c < 0;
+        claim "11": degree(c*v, parameter = v) == 1, when c < 0, when c > 0;
+    }"#;
+    let expected = [
+        (Verdict::Refuted, Some("c = -1: left -1, right 1")),
+        (Verdict::Refuted, Some("v = 1/2, c = 5001/5")),
+        (Verdict::Refuted, Some("v = 0, c = -1, d = -4/5")),
+        (Verdict::Undecided, None),
+        (Verdict::Refuted, Some("v = 1/2, c = 2, d = 0")),
+        (Verdict::Undecided, None),
+        (Verdict::Undecided, None),
+        (Verdict::Proved, None),
+        (Verdict::Refuted, Some("v = 1/2, c")),
+        (Verdict::Proved, None),
+        (Verdict::Undecided, None),
+    ];
+    let judgements = judge(text);
+    assert_eq!(judgements.len(), expected.len());
+    for (judgement, (verdict, witness)) in judgements.iter().zip(expected) {
+        let (statement, found) = (&judgement.statement, judgement.witness.as_deref());
+        assert_eq!(judgement.verdict, verdict, "{statement}: {}", judgement.derived);
+        assert_eq!(found.is_some(), witness.is_some(), "{statement}: {found:?}");
+        let begins = found.unwrap_or("").starts_with(witness.unwrap_or(""));
+        assert!(begins, "{statement}: {found:?}");
     }
 }

@@ -96,6 +96,9 @@ const DEPTH: u32 = 48;
 
 /// A place of the rectangle where a polynomial with this Bernstein net cannot be told from zero; `None` if its sign is
 /// certified to be the same everywhere.
+///
+/// A rectangle is halved in the direction in which its net changes sign more often: so that a factor of one parameter, as
+/// weights have, needs no more halves than it would alone.
 fn first_zero<const L: usize>(
     net: &[f64; L],
     columns: usize,
@@ -107,16 +110,26 @@ fn first_zero<const L: usize>(
     if net.iter().all(|&c| c > margin) || net.iter().all(|&c| c < -margin) {
         return None;
     }
-    let middle = |[first, last]: [f64; 2]| 0.5 * (first + last);
     let rows = L / columns;
-    let corners = [0, columns - 1, (rows - 1) * columns, L - 1].map(|place| net[place]);
-    let mixed = !(corners.iter().all(|&c| c > margin) || corners.iter().all(|&c| c < -margin));
-    if mixed || depth == 0 {
+    let corners =
+        [(0, s[0], t[0]), (columns - 1, s[0], t[1]), ((rows - 1) * columns, s[1], t[0]), (L - 1, s[1], t[1])];
+    if let Some(&(_, s, t)) = corners.iter().find(|&&(place, ..)| net[place].abs() <= margin) {
+        return Some((s, t));
+    }
+    let middle = |[first, last]: [f64; 2]| 0.5 * (first + last);
+    if depth == 0 {
         return Some((middle(s), middle(t)));
     }
-    let (along_u, ends) =
-        if rows > 1 && (columns == 1 || s[1] - s[0] >= t[1] - t[0]) { (true, s) } else { (false, t) };
+    let differ = |a: usize, b: usize| {
+        (net[a] > margin) != (net[b] > margin) || (net[a] < -margin) != (net[b] < -margin)
+    };
+    // Changes for each line of the net, over a common denominator.
+    let changes_u = rows * (columns..L).filter(|&place| differ(place - columns, place)).count();
+    let changes_v = columns * (1..L).filter(|&place| place % columns > 0 && differ(place - 1, place)).count();
+    let longer_u = rows > 1 && (columns == 1 || s[1] - s[0] >= t[1] - t[0]);
+    let along_u = if changes_u == changes_v { longer_u } else { changes_u > changes_v };
     let (left, right) = halves(net, columns, along_u);
+    let ends = if along_u { s } else { t };
     let [before, after] = [[ends[0], middle(ends)], [middle(ends), ends[1]]];
     let half = |net: &[f64; L], part: [f64; 2]| {
         let (s, t) = if along_u { (part, t) } else { (s, part) };
@@ -175,6 +188,13 @@ mod tests {
             panic!()
         };
         assert!((v - 1.0 / 3.0).abs() < 1e-4, "{u} {v}");
+        // Changes of sign: (2v − 1)·(3 − u), and 2u − 1.
+        let Err(ParameterError::Pole { v, .. }) = check_net(&net([-3.0, 3.0, -1.0, 1.0]), 2, &DOMAIN) else {
+            panic!()
+        };
+        assert_eq!(v, 0.5);
+        let Err(ParameterError::Pole { u, .. }) = check_net(&net([-1.0, 3.0]), 1, &DOMAIN) else { panic!() };
+        assert_eq!(u, 0.5);
         assert_eq!(check_net(&net([1.0, f64::INFINITY]), 2, &DOMAIN), Err(ParameterError::Overflow));
     }
 

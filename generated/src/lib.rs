@@ -4,6 +4,9 @@
 //! normals and offsets are derived by exact algebra and become straight-line `f64` code that depends on nothing.
 //! Generic code takes any of them through the trait [`Surface`].
 //!
+//! Families have coefficients that are set at run time, and a constructor that checks them. The module [`ph`] finds the
+//! preimages of Pythagorean-hodograph curves for them, [`bernstein::power_coefficients`] the coefficients of Bézier curves.
+//!
 //! Without the default feature `std` the library is `no_std`, and its square roots come from `libm` (feature `libm`).
 //! The feature `sources` adds the text of the catalogue's formulas.
 

@@ -223,8 +223,9 @@ impl Curve {
     pub fn curvature(&self) -> Result<Fraction, CurveError> {
         let second = self.calculus.vector_derivative(&self.hodograph, &self.parameter);
         let turning = self.hodograph.cross(&second).dot(&self.axis()?).reduced();
-        let cube = self.speed()?.pow(3);
-        Ok(turning.checked_div(&cube).ok_or(CurveError::Point)?.reduced())
+        let known: Vec<Poly> = turning.factors().iter().map(|(factor, _)| factor.clone()).collect();
+        let inverse = self.speed()?.reciprocal(&known).ok_or(CurveError::Point)?;
+        Ok((&turning * &inverse.pow(3)).reduced())
     }
 
     /// The arc length `∫σ` from the beginning of the domain (FN (6)), or from 0 to the first pole if there is none; symbols

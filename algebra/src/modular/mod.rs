@@ -4,6 +4,7 @@
 //! over the integers or the number field.
 
 pub(crate) mod field;
+pub(crate) mod heap;
 pub(crate) mod lift;
 pub(crate) mod multivariate;
 pub(crate) mod prime;

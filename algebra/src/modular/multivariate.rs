@@ -1,8 +1,9 @@
 //! Sparse polynomials in several variables over a prime field, and their greatest common divisor.
 
-use std::collections::{BTreeMap, BinaryHeap};
+use std::collections::BTreeMap;
 
 use super::field::{PrimeField, Residue};
+use super::heap::{NextProduct, ProductHeap};
 use super::sparse::Skeleton;
 use super::univariate::{Interpolation, Univariate};
 use crate::budget;
@@ -154,10 +155,51 @@ impl Multivariate {
         Univariate::new(image)
     }
 
+    /// For each variable the [image](Multivariate::univariate_image) where all others are set to their coordinates of
+    /// `point`.
+    ///
+    /// Each term is evaluated at the point once: for a variable the power of its coordinate is divided out again.
+    pub(crate) fn univariate_images(
+        &self,
+        field: &PrimeField,
+        layout: &Layout,
+        point: &[Residue],
+    ) -> Vec<Univariate> {
+        let count = layout.len();
+        budget::spend((self.terms.len() * count) as u64);
+        let degrees: Vec<u32> = (0..count).map(|i| self.degree(layout, i)).collect();
+        let inverses: Option<Vec<Residue>> = point.iter().map(|&value| field.invert(value)).collect();
+        let Some(inverses) = inverses else {
+            return (0..count).map(|i| self.univariate_image(field, layout, i, point)).collect();
+        };
+        let table = |bases: &[Residue]| -> Vec<Vec<Residue>> {
+            bases.iter().zip(&degrees).map(|(&base, &degree)| powers(field, base, degree)).collect()
+        };
+        let (powers, divisors) = (table(point), table(&inverses));
+        let mut images: Vec<Vec<Residue>> =
+            degrees.iter().map(|&degree| vec![Residue::ZERO; degree as usize + 1]).collect();
+        let mut exponents = vec![0_usize; count];
+        for &(word, coefficient) in &self.terms {
+            let mut value = coefficient;
+            for i in 0..count {
+                let exponent = layout.exponent(word, i) as usize;
+                exponents[i] = exponent;
+                if exponent > 0 {
+                    value = field.mul(value, powers[i][exponent]);
+                }
+            }
+            for i in 0..count {
+                let exponent = exponents[i];
+                let part = if exponent > 0 { field.mul(value, divisors[i][exponent]) } else { value };
+                images[i][exponent] = field.add(images[i][exponent], part);
+            }
+        }
+        images.into_iter().map(Univariate::new).collect()
+    }
+
     /// The quotient by a nonzero polynomial, if it divides; `bounds` are the differences of the degrees.
     ///
-    /// The products of terms are merged by a heap (Johnson, *Sparse polynomial arithmetic*, 1974), which holds at most one
-    /// for each term of the divisor.
+    /// The products of terms are merged by a heap, which holds at most one for each term of the divisor.
     pub(crate) fn quotient(
         &self,
         field: &PrimeField,
@@ -168,22 +210,29 @@ impl Multivariate {
         let (&(leading, first), tail) = divisor.terms.split_first()?;
         let inverse = field.invert(first)?;
         let mut quotient: Vec<(u128, Residue)> = Vec::new();
-        // The next product of each term of the tail: (word, position in the tail, position in the quotient).
-        let mut heap: BinaryHeap<(u128, usize, usize)> = BinaryHeap::new();
-        // Terms of the tail whose next partner is not known yet, with its position.
-        let mut waiting: Vec<(usize, usize)> = (0..tail.len()).map(|j| (j, 0)).collect();
-        let mut dividend = self.terms.iter().copied().peekable();
+        let mut heap = ProductHeap::default();
+        // Terms of the tail whose next partner is not known yet.
+        let mut waiting: Vec<usize> = (0..tail.len()).collect();
+        let mut own = 0;
         loop {
-            let word = dividend.peek().map(|term| term.0).max(heap.peek().map(|product| product.0));
+            let word = self.terms.get(own).map(|term| term.0).max(heap.top().map(|product| product.word));
             let Some(word) = word else { return Some(Self { terms: quotient }) };
-            let mut value = dividend.next_if(|term| term.0 == word).map_or(Residue::ZERO, |term| term.1);
-            while let Some(&(next, j, i)) = heap.peek().filter(|product| product.0 == word) {
-                debug_assert_eq!(next, word);
-                heap.pop();
+            let mut value = Residue::ZERO;
+            if let Some(term) = self.terms.get(own).filter(|term| term.0 == word) {
+                value = term.1;
+                own += 1;
+            }
+            while let Some(NextProduct { divisor: j, quotient: i, .. }) = heap.top_at(word) {
                 value = field.sub(value, field.mul(tail[j].1, quotient[i].1));
-                match quotient.get(i + 1) {
-                    Some(partner) => heap.push((tail[j].0 + partner.0, j, i + 1)),
-                    None => waiting.push((j, i + 1)),
+                if let Some(partner) = quotient.get(i + 1) {
+                    heap.replace_top(NextProduct {
+                        word: tail[j].0 + partner.0,
+                        divisor: j,
+                        quotient: i + 1,
+                    });
+                } else {
+                    heap.pop();
+                    waiting.push(j);
                 }
             }
             if value.is_zero() {
@@ -197,9 +246,8 @@ impl Multivariate {
             }
             let position = quotient.len();
             quotient.push((word - leading, field.mul(value, inverse)));
-            for (j, i) in std::mem::take(&mut waiting) {
-                debug_assert_eq!(i, position);
-                heap.push((tail[j].0 + (word - leading), j, position));
+            for j in waiting.drain(..) {
+                heap.push(NextProduct { word: tail[j].0 + (word - leading), divisor: j, quotient: position });
             }
         }
     }
@@ -499,6 +547,17 @@ mod tests {
     fn trivial_bounds(a: &Multivariate, b: &Multivariate) -> Vec<u32> {
         let layout = layout();
         (0..VARIABLES).map(|i| a.degree(&layout, i).min(b.degree(&layout, i))).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn images_of_one_evaluation_agree_with_single_ones(a in polynomials(8), point in [0_i64..50, 1_i64..50, 1_i64..50]) {
+            let (field, layout) = (field(), layout());
+            let point = point.map(|value| field.residue(value));
+            let single = |i: usize| a.univariate_image(&field, &layout, i, &point);
+            let expected: Vec<Univariate> = (0..VARIABLES).map(single).collect();
+            prop_assert_eq!(a.univariate_images(&field, &layout, &point), expected);
+        }
     }
 
     #[test]

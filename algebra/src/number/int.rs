@@ -364,7 +364,7 @@ impl Integer for Int {
 
     fn gcd(&self, other: &Int) -> Int {
         match (&self.0, &other.0) {
-            (Small(a), Small(b)) => i128::from(a.unsigned_abs().gcd(&b.unsigned_abs())).into(),
+            (Small(a), Small(b)) => i128::from(word_gcd(a.unsigned_abs(), b.unsigned_abs())).into(),
             // One step of Euclid brings the larger one down to a word.
             (Big(a), Small(b)) if *b != 0 => {
                 Int(Small((&**a % *b).to_i64().unwrap_or(0))).gcd(&Int(Small(*b)))
@@ -427,4 +427,12 @@ impl Integer for Int {
             (quotient, remainder)
         }
     }
+}
+
+/// Euclid's algorithm: most numbers here are small, and then it takes few steps.
+fn word_gcd(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }

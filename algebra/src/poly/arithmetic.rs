@@ -90,7 +90,7 @@ impl Poly {
             (p, q)
         };
         let sum = terms::linear_combination(&p, &a.terms, &q, &b.terms);
-        Poly::from_sorted(a.ring, content, sum)
+        Poly::from_sorted(a.ring.clone(), content, sum)
     }
 
     fn times(&self, other: &Poly) -> Poly {
@@ -104,8 +104,13 @@ impl Poly {
             return self.scale(&factor);
         }
         let (a, b) = Poly::unify(self, other);
-        let product = terms::product(&a.ring, &a.terms, &b.terms);
-        Poly::from_sorted(a.ring.clone(), &a.content * &b.content, product)
+        let terms = terms::product(&a.ring, &a.terms, &b.terms);
+        let content = &a.content * &b.content;
+        if a.ring.field().generators().is_empty() {
+            // The product of primitive integer polynomials is primitive (Gauss's lemma).
+            return Poly { ring: a.ring.clone(), content, terms };
+        }
+        Poly::from_sorted(a.ring.clone(), content, terms)
     }
 }
 

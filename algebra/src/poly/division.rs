@@ -1,7 +1,5 @@
 //! Exact division.
 
-use std::collections::BinaryHeap;
-use std::collections::binary_heap::PeekMut;
 use std::sync::Arc;
 
 use num_integer::Integer;
@@ -9,6 +7,7 @@ use num_traits::{One, Zero};
 
 use super::ring::{Monomial, Ring};
 use super::{Poly, Term, quotient};
+use crate::modular::heap::{NextProduct, ProductHeap};
 use crate::{Int, Rational, budget};
 
 /// Over a number field, from this many products of terms on, a quotient is found by its images modulo primes; below, by
@@ -34,6 +33,9 @@ impl Poly {
         if let Some(value) = divisor.to_rational() {
             return Some(self.scale(&value.recip()));
         }
+        if self.ring.field() == divisor.ring.field() && !self.may_divide(divisor) {
+            return None;
+        }
         let (a, b) = Poly::unify(self, divisor);
         let bounds = quotient_degrees(&a, &b)?;
         if a.ring.field().generators().is_empty() {
@@ -45,9 +47,29 @@ impl Poly {
         }
         // b = c·m with m monic over the field, so a/b = (a/m)/c.
         let inverse = b.leading_coefficient().inverse();
-        let monic = (&b * &inverse).transfer_to(&a.ring);
+        let monic = (&*b * &inverse).transfer_to(&a.ring);
         let quotient = divide_monic(&a.ring, &a, &monic, &bounds)?;
         Some(quotient * inverse)
+    }
+
+    /// Whether a nonzero divisor over the same field may divide, as far as degrees and, over the rationals, the first and the
+    /// last coefficients of the primitive parts tell.
+    fn may_divide(&self, divisor: &Poly) -> bool {
+        if self.ring.field().generators().is_empty() {
+            let ends =
+                [(self.terms.first(), divisor.terms.first()), (self.terms.last(), divisor.terms.last())];
+            let divides = |end: &(Option<&Term>, Option<&Term>)| match end {
+                (Some(a), Some(b)) => b.coefficient.is_one() || a.coefficient.is_multiple_of(&b.coefficient),
+                _ => true,
+            };
+            if !ends.iter().all(divides) {
+                return false;
+            }
+        }
+        divisor.ring.variables().iter().enumerate().all(|(position, variable)| {
+            let degree = divisor.degree_at(position);
+            degree == 0 || self.ring.position(variable).is_some_and(|own| self.degree_at(own) >= degree)
+        })
     }
 
     /// Whether `self` divides `other`; zero divides only zero.
@@ -123,15 +145,23 @@ impl Poly {
         if self.is_zero() {
             return Some(Poly::zero());
         }
+        let rational =
+            self.ring.field().generators().is_empty() && divisor.ring.field().generators().is_empty();
+        let alike = if rational { self.same_coefficients(divisor) } else { self.same_shape(divisor) };
+        if !alike {
+            return None;
+        }
         let (a, b) = Poly::unify(self, divisor);
         if a.terms == b.terms {
             return Some(Poly::constant(&a.content / &b.content));
         }
+        if rational {
+            return None;
+        }
         let (a_groups, b_groups) = (a.groups(), b.groups());
         let monomial = |poly: &Poly, place: usize| poly.ring.variable_part(poly.terms[place].monomial);
         let same = |(&i, &j): (&usize, &usize)| monomial(&a, i) == monomial(&b, j);
-        let rational = a.ring.field().generators().is_empty();
-        if rational || a_groups.len() != b_groups.len() || !a_groups.iter().zip(&b_groups).all(same) {
+        if a_groups.len() != b_groups.len() || !a_groups.iter().zip(&b_groups).all(same) {
             return None;
         }
         let coefficients = |poly: &Poly, groups: &[usize]| {
@@ -144,7 +174,7 @@ impl Poly {
         };
         let ((a_first, a_last), (b_first, b_last)) =
             (coefficients(&a, &a_groups), coefficients(&b, &b_groups));
-        let proportional = &a_first * &b_last == &b_first * &a_last && &a * &b_first == &b * &a_first;
+        let proportional = &a_first * &b_last == &b_first * &a_last && &*a * &b_first == &*b * &a_first;
         proportional.then(|| a_first * b_first.inverse())
     }
 
@@ -169,8 +199,7 @@ impl Poly {
 
 /// The degrees of `a/b` in each variable, unless one would be negative.
 fn quotient_degrees(a: &Poly, b: &Poly) -> Option<Vec<u32>> {
-    let degree = |poly: &Poly, i: usize| poly.terms.iter().map(|t| poly.ring.exponent(t.monomial, i)).max();
-    (0..a.ring.variables().len()).map(|i| degree(a, i)?.checked_sub(degree(b, i)?)).collect()
+    (0..a.ring.variables().len()).map(|i| a.degree_at(i).checked_sub(b.degree_at(i))).collect()
 }
 
 fn within(ring: &Ring, monomial: Monomial, bounds: &[u32]) -> bool {
@@ -188,23 +217,26 @@ fn divide(ring: &Ring, a: &[Term], b: &[Term], bounds: &[u32]) -> Option<Vec<Ter
         return None;
     }
     let mut quotient: Vec<Term> = Vec::new();
-    // The next product of each term of the tail: its monomial, the places in the tail and in the quotient.
-    let mut heap: BinaryHeap<(Monomial, usize, usize)> = BinaryHeap::new();
+    let mut heap = ProductHeap::default();
     // Terms of the tail whose next partner is not known yet.
     let mut waiting: Vec<usize> = (0..tail.len()).collect();
-    let mut dividend = a.iter().peekable();
+    let mut own = 0;
     loop {
-        let next = dividend.peek().map(|term| term.monomial).max(heap.peek().map(|product| product.0));
-        let Some(monomial) = next else { return Some(quotient) };
-        let own = dividend.next_if(|term| term.monomial == monomial);
-        let mut coefficient = own.map_or(Int::ZERO, |term| term.coefficient.clone());
-        while let Some(mut top) = heap.peek_mut().filter(|product| product.0 == monomial) {
-            let (_, j, i) = *top;
+        let next = a.get(own).map(|term| term.monomial.0).max(heap.top().map(|product| product.word));
+        let Some(word) = next else { return Some(quotient) };
+        let mut coefficient = Int::ZERO;
+        if let Some(term) = a.get(own).filter(|term| term.monomial.0 == word) {
+            coefficient = term.coefficient.clone();
+            own += 1;
+        }
+        while let Some(product) = heap.top_at(word) {
+            let NextProduct { divisor: j, quotient: i, .. } = product;
             coefficient -= &tail[j].coefficient * &quotient[i].coefficient;
             if let Some(partner) = quotient.get(i + 1) {
-                *top = (Monomial(tail[j].monomial.0 + partner.monomial.0), j, i + 1);
+                let word = tail[j].monomial.0 + partner.monomial.0;
+                heap.replace_top(NextProduct { word, divisor: j, quotient: i + 1 });
             } else {
-                PeekMut::pop(top);
+                heap.pop();
                 waiting.push(j);
             }
         }
@@ -212,13 +244,15 @@ fn divide(ring: &Ring, a: &[Term], b: &[Term], bounds: &[u32]) -> Option<Vec<Ter
             continue;
         }
         budget::spend(4 * b.len() as u64);
-        let monomial = ring.quotient(monomial, leading.monomial).filter(|&m| within(ring, m, bounds))?;
+        let monomial =
+            ring.quotient(Monomial(word), leading.monomial).filter(|&m| within(ring, m, bounds))?;
         let (factor, remainder) = coefficient.div_rem(&leading.coefficient);
         if !remainder.is_zero() {
             return None;
         }
         for j in waiting.drain(..) {
-            heap.push((Monomial(tail[j].monomial.0 + monomial.0), j, quotient.len()));
+            let word = tail[j].monomial.0 + monomial.0;
+            heap.push(NextProduct { word, divisor: j, quotient: quotient.len() });
         }
         quotient.push(Term { monomial, coefficient: factor });
     }

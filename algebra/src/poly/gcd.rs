@@ -136,7 +136,7 @@ fn gcd_without_monomials(a: &Poly, b: &Poly) -> Poly {
     if a.terms == b.terms {
         return a.normalized();
     }
-    let (a_degrees, b_degrees) = (degrees(a), degrees(b));
+    let (a_degrees, b_degrees) = (a.degrees(), b.degrees());
     let most: Vec<u32> = a_degrees.iter().zip(&b_degrees).map(|(&a, &b)| a.max(b)).collect();
     let mut fields = PrimeField::sequence();
     loop {
@@ -174,16 +174,10 @@ fn gcd_without_monomials(a: &Poly, b: &Poly) -> Poly {
         let frame = Frame::new([a, b], positions.clone(), &pick(&most));
         if let Some((divisor, cofactors)) = modular_divisor(&frame, a, b, &pick(&bounds), &mut fields) {
             // A divisor that reaches the proved bounds is the greatest one; else the cofactors have the last word.
-            let greatest = degrees(&divisor.transfer_to(&a.ring)) == bounds;
+            let greatest = divisor.transfer_to(&a.ring).degrees() == bounds;
             return if greatest { divisor } else { divisor * cofactors[0].gcd(&cofactors[1]) };
         }
     }
-}
-
-/// The degrees in all variables of the ring.
-fn degrees(poly: &Poly) -> Vec<u32> {
-    let degree = |i| poly.terms.iter().map(|term| poly.ring.exponent(term.monomial, i)).max().unwrap_or(0);
-    (0..poly.ring.variables().len()).map(degree).collect()
 }
 
 /// Proved bounds for the degrees of the gcd in all variables of the ring, from an image modulo the next prime.
@@ -191,7 +185,7 @@ fn degrees(poly: &Poly) -> Vec<u32> {
 /// The gcd of images in x alone, where all else is replaced by numbers modulo p, has at least the degree in x of the
 /// gcd, if the degree in x of one of the two operands is kept.
 fn degree_bounds(a: &Poly, b: &Poly, fields: &mut impl Iterator<Item = PrimeField>) -> Vec<u32> {
-    let (a_degrees, b_degrees) = (degrees(a), degrees(b));
+    let (a_degrees, b_degrees) = (a.degrees(), b.degrees());
     let positions: Vec<usize> =
         (0..a_degrees.len()).filter(|&i| a_degrees[i] > 0 || b_degrees[i] > 0).collect();
     let most: Vec<u32> = positions.iter().map(|&i| a_degrees[i].max(b_degrees[i])).collect();
@@ -199,19 +193,19 @@ fn degree_bounds(a: &Poly, b: &Poly, fields: &mut impl Iterator<Item = PrimeFiel
     let splitting = frame.splitting(fields);
     let field = splitting.field();
     let images = [a, b].map(|poly| frame.terms(poly).image(&splitting, 0));
-    let mut points = Points::new(field);
+    let point = Points::new(field).take(positions.len());
+    let [a_images, b_images] =
+        [0, 1].map(|k: usize| images[k].univariate_images(field, frame.layout(), &point));
     let mut bounds = vec![0; a_degrees.len()];
     for (i, &position) in positions.iter().enumerate() {
         let least = a_degrees[position].min(b_degrees[position]);
         if least == 0 {
             continue;
         }
-        let point = points.take(positions.len());
-        let [a_image, b_image] =
-            [0, 1].map(|k: usize| images[k].univariate_image(field, frame.layout(), i, &point));
+        let (a_image, b_image) = (&a_images[i], &b_images[i]);
         let kept = a_image.degree() == a_degrees[position] as usize
             || b_image.degree() == b_degrees[position] as usize;
-        let found = a_image.gcd(field, &b_image).degree();
+        let found = a_image.gcd(field, b_image).degree();
         bounds[position] =
             if kept { u32::try_from(found).map_or(least, |found| found.min(least)) } else { least };
     }

@@ -14,6 +14,7 @@ pub(crate) mod squarefree;
 pub(crate) mod substitute;
 pub(crate) mod terms;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use num_integer::Integer;
@@ -225,8 +226,18 @@ impl Poly {
         if self.is_zero() {
             return None;
         }
-        let Some(position) = self.ring.position(variable) else { return Some(0) };
-        self.terms.iter().map(|term| self.ring.exponent(term.monomial, position)).max()
+        Some(self.ring.position(variable).map_or(0, |position| self.degree_at(position)))
+    }
+
+    /// The degree in the variable at `position` of the ring; 0 for the zero polynomial.
+    pub(crate) fn degree_at(&self, position: usize) -> u32 {
+        let most = terms::largest(&self.terms, self.ring.exponent_mask(position));
+        self.ring.exponent(Monomial(most), position)
+    }
+
+    /// The degrees in all variables of the ring.
+    pub(crate) fn degrees(&self) -> Vec<u32> {
+        (0..self.ring.variables().len()).map(|position| self.degree_at(position)).collect()
     }
 
     /// Whether `variable` occurs.
@@ -276,18 +287,44 @@ impl Poly {
         if Arc::ptr_eq(&self.ring, to) || self.ring == *to {
             return Poly { ring: to.clone(), ..self.clone() };
         }
-        let positions: Vec<Option<usize>> =
-            self.ring.variables().iter().map(|variable| to.position(variable)).collect();
-        let term = |term: &Term| Term {
-            monomial: self.ring.transfer(term.monomial, to, &positions),
-            coefficient: term.coefficient.clone(),
-        };
+        let transfer = self.ring.transfer(to);
         // The order of variables is the same in every ring, so the terms stay sorted.
-        Poly { ring: to.clone(), content: self.content.clone(), terms: self.terms.iter().map(term).collect() }
+        let mut terms = Vec::with_capacity(self.terms.len());
+        for term in &self.terms {
+            let monomial = transfer.monomial(term.monomial);
+            terms.push(Term { monomial, coefficient: term.coefficient.clone() });
+        }
+        Poly { ring: to.clone(), content: self.content.clone(), terms }
     }
 
-    /// Whether the same monomials in the variables occur, as far as that is seen without a field for both.
+    /// Whether the primitive parts of polynomials over the same field have the same coefficients, in the order of terms.
+    fn same_coefficients(&self, other: &Poly) -> bool {
+        let (a, b) = (self.terms.as_slice(), other.terms.as_slice());
+        if a.len() != b.len() {
+            return false;
+        }
+        let mut i = 0;
+        while i < a.len() && a[i].coefficient == b[i].coefficient {
+            i += 1;
+        }
+        i == a.len()
+    }
+
+    /// Whether both polynomials, which are not zero, have the same degrees and the same number of monomials in the variables.
+    fn same_shape(&self, other: &Poly) -> bool {
+        let mut variables = self.ring.variables().iter().chain(other.ring.variables());
+        variables.all(|variable| self.degree(variable) == other.degree(variable))
+            && self.monomial_count() == other.monomial_count()
+    }
+
+    /// Whether the same monomials in the variables occur, with the same coefficients if the field is the same, as far as
+    /// that is seen without a common ring.
     fn may_equal(&self, other: &Poly) -> bool {
+        if self.ring.field() == other.ring.field()
+            && (self.content != other.content || !self.same_coefficients(other))
+        {
+            return false;
+        }
         if self.ring.variables() != other.ring.variables() {
             return true;
         }
@@ -298,18 +335,21 @@ impl Poly {
         own.len() == others.len() && own.iter().zip(&others).all(same)
     }
 
-    /// Both polynomials in one ring.
-    pub(crate) fn unify(a: &Poly, b: &Poly) -> (Poly, Poly) {
-        if Arc::ptr_eq(&a.ring, &b.ring) {
-            return (a.clone(), b.clone());
+    /// Both polynomials in one ring: copies of those only that are written in another one.
+    pub(crate) fn unify<'a>(a: &'a Poly, b: &'a Poly) -> (Cow<'a, Poly>, Cow<'a, Poly>) {
+        if Arc::ptr_eq(&a.ring, &b.ring) || a.ring == b.ring {
+            return (Cow::Borrowed(a), Cow::Borrowed(b));
         }
         let (field, renamed) = field::join(a.ring.field(), b.ring.field());
         let b = match renamed {
-            None => b.clone(),
-            Some(images) => b.map_generators(&field, &images),
+            None => Cow::Borrowed(b),
+            Some(images) => Cow::Owned(b.map_generators(&field, &images)),
         };
         let ring = Ring::union(&a.ring, &b.ring, &field);
-        (a.transfer(&ring), b.transfer(&ring))
+        let within = |poly: Cow<'a, Poly>| {
+            if *poly.ring == *ring { poly } else { Cow::Owned(poly.transfer(&ring)) }
+        };
+        (within(Cow::Borrowed(a)), within(b))
     }
 }
 

@@ -23,15 +23,13 @@ pub(crate) fn modular_quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> 
         return Some(Poly::zero());
     }
     let (a, b) = Poly::unify(dividend, divisor);
-    let degree =
-        |poly: &Poly, i: usize| poly.terms.iter().map(|term| poly.ring.exponent(term.monomial, i)).max();
-    let positions: Vec<usize> = (0..a.ring.variables().len()).filter(|&i| degree(&a, i) > Some(0)).collect();
-    if (0..a.ring.variables().len()).any(|i| degree(&b, i) > degree(&a, i)) {
+    let degrees: Vec<(u32, u32)> = a.degrees().into_iter().zip(b.degrees()).collect();
+    if degrees.iter().any(|(dividend, divisor)| divisor > dividend) {
         return None;
     }
-    let degrees = |poly: &Poly| positions.iter().filter_map(|&i| degree(poly, i)).collect::<Vec<u32>>();
-    let most = degrees(&a);
-    let bounds: Vec<u32> = most.iter().zip(degrees(&b)).map(|(&a, b)| a - b).collect();
+    let positions: Vec<usize> = (0..degrees.len()).filter(|&i| degrees[i].0 > 0).collect();
+    let most: Vec<u32> = positions.iter().map(|&i| degrees[i].0).collect();
+    let bounds: Vec<u32> = positions.iter().map(|&i| degrees[i].0 - degrees[i].1).collect();
     let frame = Frame::new([&a, &b], positions, &most);
     let (a_terms, b_terms) = (frame.terms(&a), frame.terms(&b));
     let content = &a.content / &b.content;

@@ -92,6 +92,8 @@ pub struct Ring {
     bits: u32,
     /// The guard bits of all variables.
     guards: u128,
+    /// The position of the lowest bit of the first variable's exponent.
+    first_shift: u32,
 }
 
 impl PartialEq for Ring {
@@ -120,7 +122,8 @@ impl Ring {
             ));
         }
         let guards = (0..count).map(|i| 1_u128 << (generator_bits + bits * (i + 1) - 1)).sum();
-        Arc::new(Ring { variables, field, bits, guards })
+        let first_shift = generator_bits + bits * count.saturating_sub(1);
+        Arc::new(Ring { variables, field, bits, guards, first_shift })
     }
 
     /// The ring without variables over the rationals.
@@ -255,8 +258,7 @@ impl Ring {
 
     fn shift(&self, position: usize) -> u32 {
         // Positions are below 128/LEAST_BITS.
-        let from_last = (self.variables.len() - 1 - position) as u32;
-        GENERATOR_BITS * self.generator_count() as u32 + self.bits * from_last
+        self.first_shift - self.bits * position as u32
     }
 
     fn refuse_exponent(&self) -> ! {
@@ -287,18 +289,56 @@ impl Ring {
         Ring::new(self.variables.iter().cloned().chain([variable.clone()]), self.field.clone())
     }
 
-    /// `monomial` of this ring in the ring `to`, which has all variables that occur in it, and this field's generators
-    /// first among its own.
-    pub(crate) fn transfer(&self, monomial: Monomial, to: &Ring, positions: &[Option<usize>]) -> Monomial {
-        let mut word = self.generator_part(monomial).0;
-        for (position, target) in positions.iter().enumerate() {
-            let exponent = self.exponent(monomial, position);
-            if let Some(target) = target {
-                if exponent > to.max_exponent() {
-                    to.refuse_exponent();
-                }
-                word |= u128::from(exponent) << to.shift(*target);
+    /// The bits of the exponent of the variable at `position`.
+    pub(crate) fn exponent_mask(&self, position: usize) -> u128 {
+        ((1 << self.bits) - 1) << self.shift(position)
+    }
+
+    /// How the monomials of this ring are written in the ring `to`, which has this field's generators first among its own;
+    /// variables that it does not have must not occur.
+    pub(crate) fn transfer<'a>(&self, to: &'a Ring) -> Transfer<'a> {
+        let (mut runs, mut excess): (Vec<(u128, u32, u32)>, u128) = (Vec::new(), 0);
+        let mut push = |mask: u128, from: u32, onto: u32| {
+            // Neighbors that move by as many bits move together.
+            match runs.last_mut().filter(|last| last.1 + onto == last.2 + from) {
+                Some(last) => *last = (last.0 | mask, from, onto),
+                None => runs.push((mask, from, onto)),
             }
+        };
+        for (position, variable) in self.variables.iter().enumerate() {
+            let (mask, from) = (self.exponent_mask(position), self.shift(position));
+            excess |= mask & !(u128::from(to.max_exponent()) << from);
+            if let Some(target) = to.position(variable) {
+                push(mask, from, to.shift(target));
+            }
+        }
+        push(self.generator_mask(), 0, 0);
+        Transfer { to, runs, excess }
+    }
+}
+
+/// How the monomials of one ring are written in another one.
+pub(crate) struct Transfer<'a> {
+    to: &'a Ring,
+    /// The bits of neighboring exponents, and the positions of the lowest of them in the old and the new word.
+    runs: Vec<(u128, u32, u32)>,
+    /// The bits of exponents that there is no room for.
+    excess: u128,
+}
+
+impl Transfer<'_> {
+    /// The monomial in the other ring. It leaves the computation if an exponent is beyond its range.
+    pub(crate) fn monomial(&self, monomial: Monomial) -> Monomial {
+        if monomial.0 & self.excess != 0 {
+            self.to.refuse_exponent();
+        }
+        let mut word = 0;
+        let runs = self.runs.as_slice();
+        let mut i = 0;
+        while i < runs.len() {
+            let (mask, from, onto) = runs[i];
+            word |= (monomial.0 & mask) >> from << onto;
+            i += 1;
         }
         Monomial(word)
     }
@@ -359,6 +399,21 @@ mod tests {
         assert_eq!(ring.quotient(monomial, ring.monomial(&[1, 1, 0], &[])), None);
         let quotient = ring.quotient(monomial, ring.monomial(&[1, 0, 7], &[]));
         assert_eq!(quotient, Some(ring.monomial(&[2, 0, 524_280], &[])));
+    }
+
+    #[test]
+    fn monomials_are_written_in_other_rings() {
+        let variable = |rank: u32| Variable::new(rank, "x");
+        let root = crate::Poly::sqrt_of(&crate::integer(2));
+        let small = Ring::new([variable(1), variable(4), variable(5)], root.ring().field().clone());
+        let large = Ring::new((0..12).map(variable), root.ring().field().clone());
+        let monomial = small.monomial(&[3, 0, 7], &[1]);
+        let there = small.transfer(&large).monomial(monomial);
+        assert_eq!(there, large.monomial(&[0, 3, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0], &[1]));
+        assert_eq!(large.transfer(&small).monomial(there), monomial);
+        let narrow =
+            budget::with_budget(1, || small.transfer(&large).monomial(small.monomial(&[0, 512, 0], &[0])));
+        assert!(narrow.unwrap_err().to_string().contains("beyond 511"));
     }
 
     #[test]

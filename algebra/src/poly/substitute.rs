@@ -149,11 +149,11 @@ impl Poly {
     #[must_use]
     pub fn generator_coefficients(&self) -> BTreeMap<Vec<u32>, Poly> {
         let rational = Ring::new(self.ring.variables().iter().cloned(), NumberField::rationals());
-        let positions: Vec<Option<usize>> = (0..rational.variables().len()).map(Some).collect();
+        let transfer = self.ring.transfer(&rational);
         let mut lists: BTreeMap<Vec<u32>, Vec<Term>> = BTreeMap::new();
         for term in &self.terms {
             let exponents = self.ring.generator_exponents(term.monomial);
-            let monomial = self.ring.transfer(self.ring.variable_part(term.monomial), &rational, &positions);
+            let monomial = transfer.monomial(self.ring.variable_part(term.monomial));
             let list = lists.entry(exponents).or_default();
             list.push(Term { monomial, coefficient: term.coefficient.clone() });
         }

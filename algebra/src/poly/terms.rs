@@ -112,21 +112,28 @@ fn multiply<A: Accumulator>(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
         for (place, a) in places_x.iter().zip(&a) {
             add_multiple(&mut cells[*place..], a, &places_y, &b);
         }
-        let nonzero = cells.into_iter().enumerate().rev().filter(|(_, cell)| !cell.is_nothing());
-        return nonzero
-            .map(|(place, cell)| Term { monomial: layout.monomial(place), coefficient: cell.finish() })
-            .collect();
+        return layout.terms(cells);
     }
     let mut sums = SumTable::<A>::new(x.len() + y.len());
     for (p, a) in x.iter().zip(&a) {
-        for (q, b) in y.iter().zip(&b) {
-            sums.at(p.monomial.0 + q.monomial.0).add_product(a, b);
-        }
+        sums.add_row(p.monomial, a, y, &b);
     }
-    let mut terms: Vec<Term> = sums.into_sums().collect();
-    terms.sort_unstable_by_key(|term| std::cmp::Reverse(term.monomial));
+    let terms = sums.into_terms();
     ring.check_exponents(terms.iter().fold(0, |union, term| union | term.monomial.0));
     terms
+}
+
+/// The largest value that the bits of `mask` have in the monomials.
+pub(crate) fn largest(terms: &[Term], mask: u128) -> u128 {
+    let (count, mut most, mut i) = (terms.len(), 0, 0);
+    while i < count {
+        let bits = terms[i].monomial.0 & mask;
+        if bits > most {
+            most = bits;
+        }
+        i += 1;
+    }
+    most
 }
 
 /// Adds `factor · values[j]` to the cell at `places[j]` for all j.
@@ -144,69 +151,114 @@ fn add_multiple<A: Accumulator>(cells: &mut [A], factor: &A, places: &[usize], v
 }
 
 /// Sums under accumulation by monomial: a hash table with open addressing, which is cheap where many products share few
-/// monomials, as in polynomials of several symbols.
+/// monomials, as in polynomials of several symbols. Like [`add_multiple`] it counts by itself.
 struct SumTable<A> {
-    monomials: Vec<u128>,
+    /// For each slot 1 + the place of a sum, or 0.
+    slots: Vec<u32>,
+    /// The monomials in the order in which they came.
+    words: Vec<u128>,
     sums: Vec<A>,
-    occupied: usize,
 }
-
-/// No monomial: its guard bits would be set.
-const VACANT: u128 = u128::MAX;
 
 impl<A: Accumulator> SumTable<A> {
     fn new(expected: usize) -> SumTable<A> {
-        let size = (2 * expected).next_power_of_two();
-        SumTable { monomials: vec![VACANT; size], sums: vec![A::default(); size], occupied: 0 }
+        let slots = vec![0; (2 * expected).next_power_of_two()];
+        SumTable { slots, words: Vec::with_capacity(expected), sums: Vec::with_capacity(expected) }
     }
 
-    /// The place of a monomial, or the vacant one where it belongs.
-    #[inline]
-    fn place(&self, monomial: u128) -> usize {
-        let (low, high) = (monomial as u64, (monomial >> 64) as u64);
+    /// The slot of a monomial, or the vacant one where it belongs.
+    fn slot(slots: &[u32], words: &[u128], word: u128) -> usize {
         // Multiplicative hashing of both halves by odd constants (Knuth, vol. 3, 6.4).
-        let hash = low.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ high.wrapping_mul(0xC2B2_AE3D_27D4_EB4F);
-        let mask = self.monomials.len() - 1;
-        let mut place = (hash ^ hash >> 32) as usize & mask;
-        while self.monomials[place] != VACANT && self.monomials[place] != monomial {
-            place = (place + 1) & mask;
+        let low = (word as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let hash = low ^ ((word >> 64) as u64).wrapping_mul(0xC2B2_AE3D_27D4_EB4F);
+        let mask = slots.len() - 1;
+        let mut slot = (hash ^ hash >> 32) as usize & mask;
+        while slots[slot] != 0 && words[slots[slot] as usize - 1] != word {
+            slot = (slot + 1) & mask;
         }
-        place
+        slot
     }
 
-    #[inline]
-    fn at(&mut self, monomial: u128) -> &mut A {
-        let mut place = self.place(monomial);
-        if self.monomials[place] == VACANT {
-            if 2 * self.occupied >= self.monomials.len() {
+    /// Adds the products of the term `factor · monomial` with all `terms`, whose coefficients are `values`.
+    fn add_row(&mut self, monomial: Monomial, factor: &A, terms: &[Term], values: &[A]) {
+        let count = terms.len().min(values.len());
+        let (terms, values) = (&terms[..count], &values[..count]);
+        let mut j = 0;
+        while j < count {
+            if 2 * self.words.len() >= self.slots.len() {
                 self.grow();
-                place = self.place(monomial);
             }
-            self.monomials[place] = monomial;
-            self.occupied += 1;
+            let word = monomial.0 + terms[j].monomial.0;
+            let (slots, words) = (self.slots.as_mut_slice(), self.words.as_slice());
+            let slot = SumTable::<A>::slot(slots, words, word);
+            if slots[slot] == 0 {
+                // There are fewer than 2³² terms.
+                slots[slot] = words.len() as u32 + 1;
+                self.words.push(word);
+                self.sums.push(A::default());
+            }
+            let place = slots[slot] as usize - 1;
+            self.sums.as_mut_slice()[place].add_product(factor, &values[j]);
+            j += 1;
         }
-        &mut self.sums[place]
     }
 
     fn grow(&mut self) {
-        let larger = SumTable::new(self.monomials.len());
-        let old = std::mem::replace(self, larger);
-        for (monomial, sum) in old.monomials.into_iter().zip(old.sums) {
-            if monomial != VACANT {
-                let place = self.place(monomial);
-                self.monomials[place] = monomial;
-                self.sums[place] = sum;
-                self.occupied += 1;
-            }
+        let mut slots = vec![0; 2 * self.slots.len()];
+        for (place, &word) in self.words.iter().enumerate() {
+            let slot = SumTable::<A>::slot(&slots, &self.words, word);
+            slots[slot] = place as u32 + 1;
         }
+        self.slots = slots;
     }
 
-    /// The nonzero sums, in no order.
-    fn into_sums(self) -> impl Iterator<Item = Term> {
-        let sums = self.monomials.into_iter().zip(self.sums);
-        sums.filter(|(monomial, sum)| *monomial != VACANT && !sum.is_nothing())
-            .map(|(monomial, sum)| Term { monomial: Monomial(monomial), coefficient: sum.finish() })
+    /// The nonzero sums, in descending order.
+    fn into_terms(self) -> Vec<Term> {
+        let mut sums = self.sums;
+        let mut terms = Vec::with_capacity(sums.len());
+        for place in descending(&self.words) {
+            let sum = std::mem::take(&mut sums[place]);
+            if !sum.is_nothing() {
+                terms.push(Term { monomial: Monomial(self.words[place]), coefficient: sum.finish() });
+            }
+        }
+        terms
     }
+}
+
+/// The places of distinct words, the largest word first.
+///
+/// A merge sort that begins with the descending runs that there are (Knuth, vol. 3, 5.2.4): the products of one term of a
+/// polynomial with all terms of another one come in order.
+fn descending(words: &[u128]) -> Vec<usize> {
+    let count = words.len();
+    let mut order: Vec<usize> = (0..count).collect();
+    let mut merged = vec![0; count];
+    // The ends of runs.
+    let mut ends: Vec<usize> = (1..=count).filter(|&i| i == count || words[i - 1] < words[i]).collect();
+    while ends.len() > 1 {
+        let (from, into) = (order.as_slice(), merged.as_mut_slice());
+        let mut next = Vec::with_capacity(ends.len() / 2 + 1);
+        let mut k = 0;
+        for pair in ends.chunks(2) {
+            let (middle, end) = (pair[0], pair[pair.len() - 1]);
+            let (mut i, mut j) = (k, middle);
+            while k < end {
+                if j == end || (i < middle && words[from[i]] > words[from[j]]) {
+                    into[k] = from[i];
+                    i += 1;
+                } else {
+                    into[k] = from[j];
+                    j += 1;
+                }
+                k += 1;
+            }
+            next.push(end);
+        }
+        std::mem::swap(&mut order, &mut merged);
+        ends = next;
+    }
+    order
 }
 
 /// The box of all exponents up to the degrees of a product, as an array in the order of monomials.
@@ -219,9 +271,7 @@ struct DenseBox {
 impl DenseBox {
     fn new(ring: &Ring, x: &[Term], y: &[Term]) -> Option<DenseBox> {
         let limit = (x.len().saturating_mul(y.len())).saturating_mul(CELLS_PER_PRODUCT).min(MOST_CELLS);
-        let degree = |terms: &[Term], shift: u32, mask: u128| {
-            terms.iter().map(|term| term.monomial.0 >> shift & mask).max().unwrap_or(0)
-        };
+        let degree = |terms: &[Term], shift: u32, mask: u128| largest(terms, mask << shift) >> shift;
         let mut fields = Vec::new();
         let mut size = 1_usize;
         for (shift, mask) in ring.fields().into_iter().rev() {
@@ -241,17 +291,42 @@ impl DenseBox {
     }
 
     fn places(&self, terms: &[Term]) -> Vec<usize> {
-        let place = |word: u128| {
-            self.fields.iter().map(|&(shift, mask, stride)| (word >> shift & mask) as usize * stride).sum()
+        let fields = self.fields.as_slice();
+        let place = |term: &Term| {
+            let (mut place, mut i) = (0, 0);
+            while i < fields.len() {
+                let (shift, mask, stride) = fields[i];
+                place += (term.monomial.0 >> shift & mask) as usize * stride;
+                i += 1;
+            }
+            place
         };
-        terms.iter().map(|term| place(term.monomial.0)).collect()
+        terms.iter().map(place).collect()
+    }
+
+    /// The nonzero cells as terms, in descending order.
+    fn terms<A: Accumulator>(&self, mut cells: Vec<A>) -> Vec<Term> {
+        let mut terms = Vec::new();
+        let cells = cells.as_mut_slice();
+        let mut place = cells.len();
+        while place > 0 {
+            place -= 1;
+            if !cells[place].is_nothing() {
+                let coefficient = std::mem::take(&mut cells[place]).finish();
+                terms.push(Term { monomial: self.monomial(place), coefficient });
+            }
+        }
+        terms
     }
 
     fn monomial(&self, mut place: usize) -> Monomial {
-        let mut word = 0;
-        for &(shift, _, stride) in &self.fields {
+        let fields = self.fields.as_slice();
+        let (mut word, mut i) = (0, 0);
+        while i < fields.len() {
+            let (shift, _, stride) = fields[i];
             word |= ((place / stride) as u128) << shift;
             place %= stride;
+            i += 1;
         }
         Monomial(word)
     }
@@ -281,4 +356,64 @@ pub(crate) fn collect(mut terms: Vec<Term>) -> Vec<Term> {
         sum.pop();
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+    use std::sync::Arc;
+
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{NumberField, Variable};
+
+    /// A ring in six variables.
+    fn ring() -> Arc<Ring> {
+        Ring::new((0..6).map(|rank| Variable::new(rank, "x")), NumberField::rationals())
+    }
+
+    fn polynomials(highest: u32, most: usize) -> impl Strategy<Value = Vec<Term>> {
+        let term = (prop::collection::vec(0..=highest, 6), -5_i64..=5);
+        prop::collection::vec(term, 0..most).prop_map(|terms| {
+            let term = |(exponents, value): (Vec<u32>, i64)| Term {
+                monomial: ring().monomial(&exponents, &[]),
+                coefficient: value.into(),
+            };
+            collect(terms.into_iter().map(term).collect())
+        })
+    }
+
+    fn naive_product(x: &[Term], y: &[Term]) -> Vec<Term> {
+        let mut sums: BTreeMap<Monomial, Int> = BTreeMap::new();
+        for (p, q) in x.iter().flat_map(|p| y.iter().map(move |q| (p, q))) {
+            *sums.entry(Monomial(p.monomial.0 + q.monomial.0)).or_default() +=
+                &p.coefficient * &q.coefficient;
+        }
+        let terms = sums.into_iter().rev().filter(|(_, coefficient)| !coefficient.is_zero());
+        terms.map(|(monomial, coefficient)| Term { monomial, coefficient }).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn products_agree_with_the_naive_ones(
+            sparse in [polynomials(9, 30), polynomials(9, 30)],
+            dense in [polynomials(1, 60), polynomials(1, 60)],
+        ) {
+            for [x, y] in [sparse, dense] {
+                prop_assert_eq!(product(&ring(), &x, &y), naive_product(&x, &y));
+            }
+        }
+
+        #[test]
+        fn words_are_put_in_descending_order(words in prop::collection::btree_set(0_u128..1000, 0..100), turn in 0_usize..100) {
+            let mut words: Vec<u128> = words.into_iter().rev().collect();
+            let turn = turn % words.len().max(1);
+            words.rotate_left(turn);
+            words[turn..].reverse();
+            let found: Vec<u128> = descending(&words).into_iter().map(|place| words[place]).collect();
+            words.sort_unstable_by(|a, b| b.cmp(a));
+            prop_assert_eq!(found, words);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Where polynomials in one parameter get a common zero, depending on symbols.
 
-use super::elimination::{Quotient, modulo, remainder, shortened};
+use super::elimination::{Quotient, modulo, remainder, shortened, without_multiples};
 use super::locus::{Locus, factors};
 use crate::{Poly, Variable, budget};
 
@@ -178,8 +178,10 @@ fn several_factors(poly: &Poly, others: &[Poly]) -> Option<Vec<Poly>> {
     (!is_itself).then_some(factors)
 }
 
-/// The system without zeros and multiples, shortest first, the short ones without repeated factors; polynomials in the parameter alone are
-/// replaced by their gcd, the others by their remainders modulo that. `None` if one is a number other than zero.
+/// The system without zeros and multiples, shortest first, the short ones without repeated factors.
+///
+/// Polynomials in the parameter alone are replaced by their gcd, the others by their remainders modulo that. `None` if one is
+/// a number other than zero.
 fn tidy(system: Vec<Poly>, parameter: &Variable) -> Option<Vec<Poly>> {
     let (plain, symbolic): (Vec<Poly>, Vec<Poly>) =
         system.into_iter().partition(|poly| poly.occurring_variables().iter().all(|v| v == parameter));
@@ -196,15 +198,7 @@ fn tidy(system: Vec<Poly>, parameter: &Variable) -> Option<Vec<Poly>> {
     let simple = |poly: &Poly| {
         if poly.terms().len() > SHORT { poly.pruned() } else { poly.squarefree().radical().pruned() }
     };
-    system = system.iter().map(simple).collect();
-    system.sort_by_key(|poly| poly.terms().len());
-    let mut kept: Vec<Poly> = Vec::new();
-    for poly in system {
-        if !kept.iter().any(|other| other.divides(&poly)) {
-            kept.push(poly);
-        }
-    }
-    Some(kept)
+    Some(without_multiples(system.iter().map(simple).collect()))
 }
 
 /// The system without those that lie in the ideal of the others, as far as division shows; those whose remainder modulo

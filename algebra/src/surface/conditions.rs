@@ -3,7 +3,7 @@
 use std::slice::from_ref;
 
 use super::common_zero::CommonZero;
-use super::elimination::{modulo, shortened};
+use super::elimination::{modulo, shortened, without_multiples};
 use super::homogeneous::Homogeneous;
 use super::locus::{Locus, factors};
 use crate::{Bidegree, Poly, Variable, budget};
@@ -57,6 +57,10 @@ pub struct Conditions {
 }
 
 impl Conditions {
+    /// Units of work that conditions of a surface, or of what is claimed of it, are worth: some two seconds. Where they do not
+    /// suffice, nothing but the conditions is lost.
+    pub const BUDGET: u64 = 60_000_000;
+
     /// The conditions on the symbols of a surface.
     ///
     /// A common factor divides a factor of the weight. For one that depends on a single parameter it exists exactly where
@@ -149,14 +153,7 @@ fn vanishing(polys: &[Poly], parameters: &[Variable], known: &[Poly]) -> Locus {
 /// The cases in which polynomials vanish, by factors that they have in common and those of the shortest one; multiples of
 /// others are left out.
 fn cases_of_vanishing(polys: &[Poly], known: &[Poly]) -> Vec<Vec<Poly>> {
-    let mut rows = shortened(polys);
-    rows.sort_by_key(|poly| poly.terms().len());
-    let mut kept: Vec<Poly> = Vec::new();
-    for row in rows {
-        if !kept.iter().any(|other| other.divides(&row)) {
-            kept.push(row);
-        }
-    }
+    let mut kept = without_multiples(shortened(polys));
     let common = Poly::gcd_many(&kept);
     let mut cases: Vec<Vec<Poly>> = Vec::new();
     if !common.is_constant() {

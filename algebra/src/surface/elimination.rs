@@ -32,6 +32,18 @@ pub(crate) fn shortened(polys: &[Poly]) -> Vec<Poly> {
     rows
 }
 
+/// The polynomials without those that another one divides, the shortest first. They vanish together where all do.
+pub(crate) fn without_multiples(mut polys: Vec<Poly>) -> Vec<Poly> {
+    polys.sort_by_key(|poly| poly.terms().len());
+    let mut kept: Vec<Poly> = Vec::new();
+    for poly in polys {
+        if !kept.iter().any(|other| other.divides(&poly)) {
+            kept.push(poly);
+        }
+    }
+    kept
+}
+
 /// By what divisors are multiplied in a division.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quotient {
@@ -43,9 +55,9 @@ pub(crate) enum Quotient {
 
 /// The remainder of a division by several polynomials in the lexicographic order of monomials.
 pub(crate) fn remainder(poly: &Poly, divisors: &[Poly], by: Quotient) -> Poly {
-    let joint = divisors.iter().fold(poly.clone(), |joint, divisor| Poly::unify(&joint, divisor).0);
+    let joint = divisors.iter().fold(poly.clone(), |joint, divisor| Poly::unify(&joint, divisor).0.into_owned());
     let ring = joint.ring().clone();
-    let divisors = divisors.iter().map(|divisor| Poly::unify(&joint, divisor).1);
+    let divisors = divisors.iter().map(|divisor| Poly::unify(&joint, divisor).1.into_owned());
     let divisors: Vec<(Poly, Monomial)> = divisors
         .filter_map(|divisor| {
             let leading = ring.variable_part(divisor.terms().first()?.monomial);

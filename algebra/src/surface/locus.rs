@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::elimination::shortened;
+use super::elimination::{shortened, without_multiples};
 use crate::{Poly, Term, Variable, budget, integer};
 
 /// Units of work for the simplification of one locus; beyond them its equations stay as they are.
@@ -60,7 +60,7 @@ impl Locus {
             Ok(Some(alternatives)) if terms(&alternatives) <= LONG.max(terms(&plain) / 2) => alternatives,
             _ => plain,
         };
-        alternatives.sort_by_cached_key(|alternative| weight(alternative));
+        alternatives.sort_by_cached_key(|alternative| size(alternative));
         Locus { alternatives }
     }
 
@@ -109,7 +109,7 @@ impl Locus {
         for alternative in &other.alternatives {
             insert(&mut alternatives, alternative.clone());
         }
-        alternatives.sort_by_cached_key(|alternative| weight(alternative));
+        alternatives.sort_by_cached_key(|alternative| size(alternative));
         Locus { alternatives }
     }
 
@@ -140,7 +140,7 @@ impl fmt::Display for Locus {
 }
 
 /// What orders alternatives: short ones first.
-fn weight(alternative: &[Poly]) -> (usize, usize, String) {
+fn size(alternative: &[Poly]) -> (usize, usize, String) {
     let terms = alternative.iter().map(|poly| poly.terms().len()).sum();
     let text: Vec<String> = alternative.iter().map(Poly::to_string).collect();
     (alternative.len(), terms, text.join(" "))
@@ -153,14 +153,7 @@ fn tidy(equations: Vec<Poly>) -> Option<Vec<Poly>> {
         return None;
     }
     left = left.iter().map(|poly| poly.pruned().normalized()).collect();
-    left.sort_by_key(|poly| poly.terms().len());
-    let mut kept: Vec<Poly> = Vec::new();
-    for poly in left {
-        if !kept.iter().any(|other| other.divides(&poly)) {
-            kept.push(poly);
-        }
-    }
-    Some(kept)
+    Some(without_multiples(left))
 }
 
 /// Splits a system of equations into alternatives, by cases.

@@ -1,7 +1,7 @@
 //! Where a surface has no normal.
 
 use super::normal::Normal;
-use crate::{Interval, Poly, Variable, ZeroSet};
+use crate::{Interval, Poly, Variable, ZeroSet, budget};
 
 /// The points of the domain at which `R_u × R_v` vanishes.
 ///
@@ -26,10 +26,18 @@ use crate::{Interval, Poly, Variable, ZeroSet};
 pub struct SingularLocus {
     /// The numerator of the factor, without content.
     pub factor: Poly,
-    /// The zeros of the factor on the domain; `None` where unknown symbols keep them from being determined.
+    /// The zeros of the factor on the domain; `None` where unknown symbols or the budget keep them from being determined.
     pub factor_zeros: Option<ZeroSet>,
-    /// The zeros of `|N|²` on the domain; `None` where unknown symbols keep them from being determined.
+    /// The zeros of `|N|²` on the domain; `None` where unknown symbols or the budget keep them from being determined.
     pub normal_zeros: Option<ZeroSet>,
+}
+
+/// The units of work that the zeros of one polynomial may take: what else is derived is not to be lost with them.
+const BUDGET: u64 = 100_000_000;
+
+/// The zeros of a polynomial on the domain, if they can be determined.
+fn zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
+    budget::with_budget(BUDGET, || poly.zeros_on(domain)).ok().flatten()
 }
 
 impl SingularLocus {
@@ -39,12 +47,15 @@ impl SingularLocus {
         let factor = normal.factor().lowest_terms().numerator().primitive();
         let domain: Vec<(Variable, Interval)> =
             parameters.iter().cloned().zip(domain.iter().cloned()).collect();
-        let factor_zeros = factor.zeros_on(&domain);
+        let factor_zeros = zeros(&factor, &domain);
         // |N|² is a sum of squares: its zeros are those of the square root where there is one.
         let squared = normal.squared_length();
         let normal_zeros = match squared.expanded() {
-            _ if squared.split().is_square() => squared.split().root.zeros_on(&domain),
-            Some(square) => square.squarefree().radical().zeros_on(&domain),
+            _ if squared.split().is_square() => zeros(&squared.split().root, &domain),
+            Some(square) => {
+                let radical = budget::with_budget(BUDGET, || square.squarefree().radical());
+                radical.ok().and_then(|radical| zeros(&radical, &domain))
+            }
             None => None,
         };
         SingularLocus { factor, factor_zeros, normal_zeros }
@@ -66,7 +77,7 @@ impl SingularLocus {
         let mut all = Vec::new();
         for zeros in [&self.factor_zeros, &self.normal_zeros] {
             let Some(zeros) = zeros else {
-                all.push("undetermined: depends on the symbols".to_owned());
+                all.push("undetermined: it depends on symbols, or needs more than its budget".to_owned());
                 continue;
             };
             for line in &zeros.lines {

@@ -6,7 +6,7 @@ use crate::{Poly, Rational, SquareSplit, Variable, budget, integer, ratio};
 ///
 /// It is written out where that is of a sensible size. The square of a normal with many symbols can have millions of terms;
 /// then a *member* of the family is looked at first, N with numbers for the symbols. If `|N|²` were a square for all
-/// symbols, it were one for these; so a member that has a factor of odd multiplicity proves that there is no root.
+/// symbols, it would be one for these; so a member that has a factor of odd multiplicity proves that there is no root.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SquaredLength {
     vector: [Poly; 3],
@@ -24,10 +24,10 @@ impl SquaredLength {
     pub(crate) fn of(vector: &[Poly; 3], parameters: &[Variable; 2]) -> SquaredLength {
         let products: usize =
             vector.iter().map(|component| component.terms().len().saturating_pow(2) / 2).sum();
-        if products > LARGE {
-            if let Some(length) = (1..=3).find_map(|seed| irrational_member(vector, parameters, seed)) {
-                return length;
-            }
+        if products > LARGE
+            && let Some(length) = (1..=3).find_map(|seed| irrational_member(vector, parameters, seed))
+        {
+            return length;
         }
         let expanded: Poly = vector.iter().map(|component| component * component).sum();
         let mut split = budget::doing("the square root of |R_u x R_v|^2", || expanded.square_split());

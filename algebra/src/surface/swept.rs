@@ -260,7 +260,12 @@ impl SweptSurface {
     /// A few points are looked at first, with numbers for the symbols: one with a normal is a proof.
     #[must_use]
     pub fn is_surface(&self) -> bool {
-        (1..=3).any(|seed| self.has_normal_at_sample(seed)) || self.normal().is_ok()
+        self.has_normal_at_samples() || self.normal().is_ok()
+    }
+
+    /// Whether there is a normal at one of a few points, with numbers for the symbols.
+    pub(crate) fn has_normal_at_samples(&self) -> bool {
+        (1..=3).any(|seed| self.has_normal_at_sample(seed))
     }
 
     /// Whether there is a normal at some point, which depends on `seed`, for some values of the symbols.
@@ -339,11 +344,14 @@ impl SweptSurface {
     }
 
     /// The offset surface `R + distance·N` at a signed distance along the unit normal (FN (12)), if it is rational in the
-    /// given parameters; a radical may be adjoined.
+    /// given parameters; a radical may be adjoined. At the distance zero it is the surface itself.
     ///
     /// # Errors
     /// [`OffsetError`] if it is not.
     pub fn offset(&self, distance: &Fraction) -> Result<SweptSurface, OffsetError> {
+        if distance.is_zero() && self.is_surface() {
+            return Ok(self.clone());
+        }
         let normal = self.normal()?;
         let squared = normal.squared_length();
         if normal.is_rational() && !squared.radicand().is_one() {

@@ -62,10 +62,11 @@ impl Body {
 
 /// The variable that holds a symbol.
 pub(super) fn symbol(name: &str) -> Ident {
+    // Words that are no identifiers of their own, in any edition, and patterns that mean something else.
+    const TAKEN: [&str; 5] = ["Err", "None", "Ok", "Some", "gen"];
     let name = match syn::parse_str::<Ident>(name) {
-        Ok(_) => name.to_string(),
-        // A word of Rust.
-        Err(_) => format!("{name}_"),
+        Ok(_) if !TAKEN.contains(&name) => name.to_string(),
+        _ => format!("{name}_"),
     };
     Ident::new(&name, Span::call_site())
 }

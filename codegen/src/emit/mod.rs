@@ -1,6 +1,7 @@
 //! From programs to source text.
 //!
-//! [`module`] gives the documented module of one surface, as the macro expands to; [`format`](format()) lays tokens out as text, and [`standalone`] adds the little of the runtime that the items need.
+//! [`module`] gives the documented module of one surface, as the macro expands to; [`format`](format()) lays tokens out as
+//! text, and [`standalone`] adds the little of the runtime that the items need.
 
 mod body;
 mod code;

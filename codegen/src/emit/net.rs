@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Artifact;
+use super::body::literal;
 use super::code::Code;
 use crate::program::{Input, Operation, Stage, Term, Value};
 use crate::schedule::outputs;
@@ -73,20 +74,22 @@ impl<'a> Writer<'a> {
 
     /// The number in front of a term.
     fn factor(&mut self, term: &Term) -> TokenStream {
-        let sign = if term.negative {
-            quote! { -1.0 }
-        } else {
-            quote! { 1.0 }
-        };
-        let mut numbers = term.numbers.iter().map(|&value| match self.value(value) {
-            Form::Number(number) => number,
-            Form::Polynomial(..) => unreachable!("numbers depend on no parameter"),
-        });
-        match (numbers.next(), term.negative) {
-            (None, _) => sign,
-            (Some(first), false) => quote! { #first #(* #numbers)* },
-            (Some(first), true) => quote! { -1.0 * #first #(* #numbers)* },
+        let mut negative = term.negative;
+        let mut numbers = Vec::new();
+        for &value in &term.numbers {
+            numbers.push(match (self.code.program.operation(value), self.value(value)) {
+                (Operation::Constant(constant), _) => {
+                    negative ^= constant.is_sign_negative();
+                    literal(constant.abs())
+                }
+                (_, Form::Number(number)) => number,
+                (_, Form::Polynomial(..)) => unreachable!("numbers depend on no parameter"),
+            });
         }
+        let sign = negative.then(|| quote! { - });
+        let mut numbers = numbers.into_iter();
+        let first = numbers.next().unwrap_or_else(|| literal(1.0));
+        quote! { #sign #first #(* #numbers)* }
     }
 
     /// The coefficients of a product of polynomials of one parameter, for a degree that is not too low.

@@ -21,9 +21,14 @@ pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     let name = Ident::new(&artifact.name, Span::call_site());
     let docs = documentation(artifact);
     let items = items(artifact, runtime);
+    // The names of sweeps and symbols are their author's.
+    let names = std::iter::once(&artifact.name).chain(artifact.program.symbols());
+    let capital = names.into_iter().any(|name| name.contains(char::is_uppercase));
+    let names = capital.then(|| quote! { #[allow(non_snake_case)] });
     quote! {
         #docs
         #[allow(clippy::doc_markdown)]
+        #names
         pub mod #name {
             #items
         }

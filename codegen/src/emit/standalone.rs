@@ -16,9 +16,12 @@ use super::{Artifact, format, module};
 /// # Errors
 /// The error of syn if the runtime's files do not parse, which its own build would have reported.
 pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<String, syn::Error> {
-    let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::runtime }));
+    // A sweep may have the usual name.
+    let taken = artifacts.iter().any(|artifact| artifact.name == "runtime");
+    let name = Ident::new(if taken { "runtime_of_surfaces" } else { "runtime" }, Span::call_site());
+    let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::#name }));
     let families = artifacts.iter().any(|artifact| !artifact.symbols.is_empty());
-    let runtime = runtime(files, families)?;
+    let runtime = runtime(&name, files, families)?;
     format(quote! {
         #(#modules)*
         #runtime
@@ -28,23 +31,24 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
 /// The files that only families need.
 const OF_FAMILIES: [&str; 2] = ["bernstein", "family"];
 
-fn runtime(files: &[(&str, &str)], families: bool) -> Result<TokenStream, syn::Error> {
+/// The module `name` with what surfaces need.
+fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<TokenStream, syn::Error> {
     let mut modules = TokenStream::new();
     let errors = families.then(|| quote! { pub use family::ParameterError; });
-    for (name, text) in files.iter().filter(|(name, _)| families || !OF_FAMILIES.contains(name)) {
+    for (module, text) in files.iter().filter(|(module, _)| families || !OF_FAMILIES.contains(module)) {
         let mut file: syn::File = syn::parse_str(&text.replace("use crate::", "use super::"))?;
         file.items.retain(|item| !matches!(item, Item::Mod(_)));
         file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));
         for item in &mut file.items {
             shorten(item);
         }
-        let (name, items) = (Ident::new(name, Span::call_site()), file.items);
-        modules.extend(quote! { pub mod #name { #(#items)* } });
+        let (module, items) = (Ident::new(module, Span::call_site()), file.items);
+        modules.extend(quote! { pub mod #module { #(#items)* } });
     }
     Ok(quote! {
         /// What the surfaces need to run.
         #[allow(dead_code, missing_docs, clippy::pedantic, clippy::nursery)]
-        pub mod runtime {
+        pub mod #name {
             #errors
             pub use grid::GridError;
             pub use regularity::Regularity;

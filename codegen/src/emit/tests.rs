@@ -57,3 +57,15 @@ fn standalone_text_names_no_package() {
     assert!(!text.contains("assert"), "{text}");
     assert!(text.contains("pub trait Surface"));
 }
+
+#[test]
+fn names_are_their_authors() {
+    let runtime = [("surface", "pub trait Surface {}")];
+    let text =
+        standalone(&[artifact("runtime", &bilinear()), artifact("Patch", &plane())], &runtime).unwrap();
+    assert!(text.contains("pub mod runtime_of_surfaces {"), "{text}");
+    assert!(text.contains("impl super::runtime_of_surfaces::Surface for Runtime {"), "{text}");
+    assert!(!text.contains("super::runtime::"), "{text}");
+    assert_eq!(text.matches("#[allow(non_snake_case)]\npub mod Patch {").count(), 1, "{text}");
+    assert_eq!(text.matches("non_snake_case").count(), 1, "{text}");
+}

@@ -33,6 +33,9 @@ impl CurveContext {
     }
 }
 
+/// The largest number of control points of a Bézier curve.
+const MAX_CONTROL_POINTS: usize = 101;
+
 /// The largest degree of symbolic polynomial and rational curves.
 const MAX_SYMBOLIC_DEGREE: i64 = 32;
 
@@ -123,7 +126,19 @@ fn ph(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, F
                 let rows = preimage.coefficients().iter().map(row).collect();
                 scope.announce(context.group(CoefficientKind::Preimage, rows));
             }
-            preimage
+            // Symbols that are set take their values here.
+            match preimage {
+                Ok(symbolic) if !scope.settings.is_empty() => {
+                    let set = |poly: &Poly| match poly.occurring_variables().as_slice() {
+                        [symbol] => scope.coefficient(symbol, argument.span()),
+                        _ => Ok(poly.clone()),
+                    };
+                    let coefficients = symbolic.coefficients().iter();
+                    let coefficients = coefficients.map(|w| Ok(Complex::new(set(&w.re)?, set(&w.im)?)));
+                    Preimage::new(coefficients.collect::<Result<Vec<_>, Fault>>()?)
+                }
+                other => other,
+            }
         }
     };
     let mut preimage = preimage.map_err(|error| Fault::new(argument.span(), error.to_string()))?;
@@ -200,6 +215,10 @@ fn bezier(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Valu
     if list.len() < 2 {
         return Err(Fault::new(points.span(), "a Bézier curve needs two control points at least"));
     }
+    if list.len() > MAX_CONTROL_POINTS {
+        let message = format!("{} control points are more than {MAX_CONTROL_POINTS}", list.len());
+        return Err(Fault::new(points.span(), message).help("split the curve"));
+    }
     let mut control = Vec::new();
     for (index, value) in list.iter().enumerate() {
         let point = value.vector().ok_or_else(|| {
@@ -271,15 +290,20 @@ fn symbolic(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Va
         let coefficients: Vec<Variable> = (0..=n)
             .map(|i| Variable::new(Variable::SYMBOL, &format!("{}{letter}{i}", context.prefix)))
             .collect();
-        let poly: Vec<Poly> = coefficients.iter().map(Poly::variable).collect();
-        (Poly::from_coefficients(&context.parameter, &poly), coefficients)
+        let poly = coefficients.iter().map(|symbol| scope.coefficient(symbol, degree.span()));
+        let poly = poly.collect::<Result<Vec<Poly>, Fault>>()?;
+        Ok::<_, Fault>((Poly::from_coefficients(&context.parameter, &poly), coefficients))
     };
     let over = |numerator: Poly, weight: &Option<Poly>| match weight {
         Some(weight) => Fraction::new(numerator, [(weight.clone(), 1)]),
         None => numerator.into(),
     };
-    let ((x, of_x), (y, of_y)) = (coordinate("x"), coordinate("y"));
-    let (weight, of_weight) = (call.name == "rational_curve").then(|| coordinate("w")).unzip();
+    let ((x, of_x), (y, of_y)) = (coordinate("x")?, coordinate("y")?);
+    let rational = (call.name == "rational_curve").then(|| coordinate("w")).transpose()?;
+    let (weight, of_weight): (Option<Poly>, Option<Vec<Variable>>) = rational.unzip();
+    if weight.as_ref().is_some_and(Poly::is_zero) {
+        return Err(Fault::new(call.span, "the weight of the curve is zero everywhere"));
+    }
     let columns: Vec<Vec<Variable>> = of_weight.into_iter().chain([of_x, of_y]).collect();
     let kind = if weight.is_some() { CoefficientKind::Rational } else { CoefficientKind::Polynomial };
     let rows = (0..=n as usize).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect();

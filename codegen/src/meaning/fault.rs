@@ -119,7 +119,14 @@ impl Fault {
     /// Work beyond the budget.
     pub(super) fn exhausted(span: Span, error: &Exhausted) -> Fault {
         let message = error.to_string();
-        Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers")
+        Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers").undecidable()
+    }
+
+    /// The same for something that exists, but cannot be decided here.
+    #[must_use]
+    pub(super) fn undecidable(mut self) -> Fault {
+        self.undecidable = true;
+        self
     }
 }
 

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Poly, Rational, Variable,
-    Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Point, Poly, Rational,
+    Variable, Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
 };
 
 use super::calls::Call;
@@ -181,6 +181,13 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         };
     }
     let root = rational_root(&value.reduced()).map_err(|_| {
+        if let Some((radicand, _)) = symbolic_radicand(scope, &value) {
+            let radicand = super::expression::shortened(&radicand.to_string());
+            let message = format!("the square root of {radicand} depends on the symbols alone, but is no rational function of them");
+            let mut fault = Fault::new(a.span(), message).help("introduce a symbol for the root, or set symbols by `when`");
+            fault.undecidable = true;
+            return fault;
+        }
         let split = value.reduced().numerator().square_split();
         let message = format!("this square root is not a rational function: {} is not a square", split.odd);
         let mut fault =
@@ -189,6 +196,67 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         fault
     })?;
     nonnegative(scope, &root.lowest_terms(), a.span()).map(Value::Scalar)
+}
+
+/// Whether a polynomial depends on a parameter or an unknown function: with numbers for the symbols it is no number.
+pub(super) fn is_varying(scope: &Scope, poly: &Poly) -> bool {
+    let varies =
+        |variable: &Variable| scope.parameters.contains(variable) || scope.calculus.is_function(variable);
+    poly.occurring_variables().iter().any(varies)
+}
+
+/// The squarefree part `d` that depends on symbols alone, and the factor `f` of a root `f·√d`; `None` if the part that is
+/// no square depends on more.
+fn symbolic_radicand(scope: &Scope, radicand: &Fraction) -> Option<(Poly, Fraction)> {
+    let radicand = radicand.lowest_terms();
+    let odd = radicand.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
+    let split =
+        odd.fold(radicand.numerator().clone(), |product, (factor, _)| product * factor).square_split();
+    if is_varying(scope, &split.odd) || split.is_square() {
+        return None;
+    }
+    let below = radicand.factors().iter().map(|(factor, exponent)| (factor.clone(), exponent.div_ceil(2)));
+    Some((&split.unit * &split.odd, Fraction::new(split.root, below)))
+}
+
+/// The polynomial `d` in symbols alone for a call `sqrt(f^2*d)`, which is no rational function of the symbols, but of the
+/// parameters. `None` for other expressions.
+///
+/// # Errors
+/// If the sign of f changes on the domain or is not known.
+pub(super) fn symbolic_root(scope: &Scope, expr: &Expr) -> Result<Option<Poly>, Fault> {
+    let ExprKind::Call { callee, arguments } = expr.kind() else { return Ok(None) };
+    let (ExprKind::Ident(name), [argument]) = (callee.kind(), arguments.as_slice()) else { return Ok(None) };
+    if name != "sqrt" {
+        return Ok(None);
+    }
+    let Ok(value) = scope.scalar(&argument.value, "a radicand") else { return Ok(None) };
+    let Some((radicand, factor)) = symbolic_radicand(scope, &value) else { return Ok(None) };
+    let varying = Fraction::new(
+        varying_part(scope, factor.numerator()),
+        factor.factors().iter().map(|(part, exponent)| (varying_part(scope, part), *exponent)),
+    );
+    nonnegative(scope, &varying, argument.value.span())?;
+    Ok(Some(radicand))
+}
+
+/// A polynomial without the factors that depend on symbols alone.
+fn varying_part(scope: &Scope, poly: &Poly) -> Poly {
+    let coefficients: Vec<Poly> = poly.coefficients_of(&scope.parameters).into_values().collect();
+    let content = Poly::gcd_many(&coefficients);
+    if is_varying(scope, &content) {
+        poly.clone()
+    } else {
+        poly.exact_div(&content).unwrap_or_else(|| poly.clone())
+    }
+}
+
+/// Whether a polynomial in one symbol is certified to be positive for all of its values.
+pub(super) fn is_positive_everywhere(poly: &Poly) -> bool {
+    let variables = poly.occurring_variables();
+    let [symbol] = variables.as_slice() else { return false };
+    let at_zero = poly.evaluate(&Point::from([(symbol.clone(), Poly::zero())]));
+    at_zero.sign().is_gt() && poly.real_roots(symbol).is_some_and(|roots| roots.is_empty())
 }
 
 /// The one of `root` and `-root` that is not negative on the domain.

@@ -1,21 +1,20 @@
 //! The conditions on symbols under which what holds in general holds: degrees, coprimality, reduced coordinates.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    CommonZero, Conditions, Homogeneous, Locus, Poly, SweptSurface, Variable, budget, common_factors,
-    falling_degree,
+    CommonZero, Conditions, Fraction, Homogeneous, Locus, Poly, SweptSurface, Variable, budget,
+    common_factors, falling_degree,
 };
 
 use super::expression::shortened;
 use super::fault::Fault;
-use super::functions::{polynomial, surface_parameters};
+use super::functions::{is_varying, polynomial, surface_parameters};
+use super::relation;
 use super::scope::{COORDINATES, Scope};
 use super::value::Value;
-use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator};
-
-/// Units of work for the conditions of one claim.
-const LIMIT: u64 = 60_000_000;
+use crate::language::ast::{Argument, ClauseKind, Expr, ExprKind, RelationOperator};
 
 /// How many characters a polynomial takes before it is cut.
 const LONGEST: usize = 240;
@@ -23,23 +22,29 @@ const LONGEST: usize = 240;
 /// How many equations of one case are printed.
 const MOST_EQUATIONS: usize = 6;
 
+/// The condition of what holds for general values of symbols, where it is not known which ones are special.
+const GENERAL: &str = "general values of the symbols";
+
 /// The values of symbols at which a general statement may fail.
 #[derive(Default)]
 struct Exceptions {
     locus: Locus,
     /// What must hold besides, as relations of the language.
     others: Vec<String>,
+    /// The names whose definitions were looked at.
+    seen: BTreeSet<String>,
 }
 
-/// The conditions under which what was found of a relation for general symbols holds, as relations of the language;
-/// `general` says that it may differ for special ones, and `nonzero` are polynomials of which the claim itself says that they do not vanish.
+/// The conditions under which what was found of a relation for general symbols holds, as relations of the language.
+///
+/// `general` says that it may differ for special ones; `nonzero` are polynomials that do not vanish, as the claim itself says.
 pub(super) fn conditions(scope: &Scope, relation: &Expr, general: bool, nonzero: &[Poly]) -> Vec<String> {
-    let found = budget::with_budget(LIMIT, || exceptions(scope, relation, general));
+    let found = budget::with_budget(Conditions::BUDGET, || exceptions(scope, relation, general, false));
     let exceptions = match found {
         Ok(Ok(exceptions)) => exceptions,
         // A mistake in the relation has been reported with its verdict.
         Ok(Err(_)) => return Vec::new(),
-        Err(_) => return vec!["general values of the symbols".to_owned()],
+        Err(_) => return vec![GENERAL.to_owned()],
     };
     let stated = nonzero
         .iter()
@@ -65,27 +70,116 @@ fn show(poly: &Poly) -> String {
     if text.chars().count() <= LONGEST { text } else { shortened(&text) }
 }
 
-fn exceptions(scope: &Scope, relation: &Expr, general: bool) -> Result<Exceptions, Fault> {
+fn exceptions(scope: &Scope, relation: &Expr, general: bool, negated: bool) -> Result<Exceptions, Fault> {
     let mut exceptions = Exceptions::default();
     match relation.kind() {
-        ExprKind::Not(inner) => return self::exceptions(scope, inner, general),
+        ExprKind::Not(inner) => return self::exceptions(scope, inner, general, !negated),
         ExprKind::Relation { left, operator, right } => {
-            if let Some(("degree", arguments)) = called(left) {
+            if let Some(("degree", arguments)) = called(resolved(scope, left)) {
                 if general {
                     exceptions.of_degree(scope, arguments)?;
+                    if let Some(("degree", arguments)) = called(resolved(scope, right)) {
+                        exceptions.of_degree(scope, arguments)?;
+                    }
                 }
             } else if matches!(operator, RelationOperator::Equal | RelationOperator::NotEqual) {
                 exceptions.of_reduced(scope, left)?;
                 exceptions.of_reduced(scope, right)?;
+                if (*operator == RelationOperator::NotEqual) != negated {
+                    exceptions.of_difference(scope, left, right)?;
+                }
             }
         }
-        _ => {
-            if let Some(("coprime", arguments)) = called(relation) {
-                exceptions.of_coprime(scope, arguments)?;
+        _ => match called(relation) {
+            Some(("coprime", arguments)) => exceptions.of_coprime(scope, arguments)?,
+            Some(("is_rational", [argument])) if general => exceptions.of_rational(scope, &argument.value)?,
+            Some((_, arguments)) if !reduced(scope, relation).is_empty() => {
+                arguments.iter().try_for_each(|argument| exceptions.of_reduced(scope, &argument.value))?;
+            }
+            _ => {}
+        },
+    }
+    Ok(exceptions)
+}
+
+/// The unknowns in what is reduced by a common factor that special symbols and functions change: in a `gcd`, or in the
+/// coordinates that `homogeneous` gives, except where only their direction matters.
+pub(super) fn reduced(scope: &Scope, relation: &Expr) -> BTreeSet<Variable> {
+    fn collect(
+        scope: &Scope,
+        expr: &Expr,
+        functions: &[&str],
+        seen: &mut BTreeSet<String>,
+        found: &mut BTreeSet<Variable>,
+    ) {
+        if let Some((name, arguments)) = called(expr)
+            && functions.contains(&name)
+        {
+            found.extend(arguments.iter().flat_map(|argument| unknowns(scope, &argument.value)));
+        }
+        if let ExprKind::Ident(name) = expr.kind()
+            && seen.insert(name.clone())
+            && let Some(value) = definition(scope, name)
+        {
+            collect(scope, value, functions, seen, found);
+        }
+        expr.children().for_each(|child| collect(scope, child, functions, seen, found));
+    }
+    let functions: &[&str] =
+        if matches!(called(relation), Some(("parallel", _))) { &["gcd"] } else { &["gcd", "homogeneous"] };
+    let mut found = BTreeSet::new();
+    collect(scope, relation, functions, &mut BTreeSet::new(), &mut found);
+    found
+}
+
+/// The symbols and unknown functions in the values of the names in an expression.
+pub(super) fn unknowns(scope: &Scope, expr: &Expr) -> BTreeSet<Variable> {
+    fn of_value(scope: &Scope, value: &Value) -> Vec<Variable> {
+        match value.bare() {
+            Value::Degree(degree) => degree.variables.clone(),
+            Value::List(parts) => parts.iter().flat_map(|part| of_value(scope, part)).collect(),
+            other => {
+                let components = other.complex().map(|z| vec![z.re, z.im]).or_else(|| other.components());
+                match components {
+                    Some(components) => components.iter().flat_map(Fraction::occurring_variables).collect(),
+                    None => scope.unknowns(),
+                }
             }
         }
     }
-    Ok(exceptions)
+    let mut unknowns = BTreeSet::new();
+    match expr.kind() {
+        // The names of functions of the language have no value.
+        ExprKind::Ident(name) => {
+            if let Ok(value) = scope.value(name, expr.span()) {
+                unknowns.extend(of_value(scope, &value));
+            }
+        }
+        _ => expr.children().for_each(|child| unknowns.extend(self::unknowns(scope, child))),
+    }
+    // π only stands in angles.
+    unknowns.retain(|variable| !scope.parameters.contains(variable) && variable.name() != "pi");
+    unknowns
+}
+
+/// The expression that defines a name.
+fn definition<'a>(scope: &'a Scope, name: &str) -> Option<&'a Expr> {
+    let clauses = scope.item.as_ref()?.clauses.iter();
+    clauses.into_iter().find_map(|clause| match &clause.kind {
+        ClauseKind::Let(definition) if definition.name.value == name => Some(&definition.value),
+        ClauseKind::Curve(curve) if curve.name.value == name => Some(&curve.value),
+        ClauseKind::Surface(surface) if surface.name.value == name => Some(&surface.value),
+        _ => None,
+    })
+}
+
+/// The expression that a name stands for, and what that is if it is a name again.
+fn resolved<'a>(scope: &'a Scope, expr: &'a Expr) -> &'a Expr {
+    match expr.kind() {
+        // Clauses only use names that are defined before them, so this ends.
+        ExprKind::Ident(name) => definition(scope, name).map_or(expr, |value| resolved(scope, value)),
+        _ => expr,
+    }
 }
 
 /// The function's name and the arguments of a call.
@@ -139,6 +233,7 @@ impl Exceptions {
         let (mut polys, mut known) = (Vec::new(), Vec::new());
         for argument in arguments.iter().filter(|argument| argument.name.is_none()) {
             let expr = &argument.value;
+            self.of_reduced(scope, expr)?;
             let value = scope.evaluate(expr)?;
             if value.scalar().is_some() {
                 let poly = polynomial(scope, expr)?;
@@ -157,7 +252,10 @@ impl Exceptions {
                     surface.homogeneous().clone()
                 }
                 None => {
-                    let Some(vector) = value.vector() else { continue };
+                    let Some(vector) = value.vector() else {
+                        self.in_general();
+                        continue;
+                    };
                     let homogeneous = Homogeneous::of(&vector, &surface_parameters(scope));
                     self.of_surface(&Conditions::of(&homogeneous));
                     homogeneous
@@ -169,6 +267,23 @@ impl Exceptions {
         let group: Vec<&Poly> = polys.iter().collect();
         for parameter in &parameters {
             self.add(&falling_degree(&group, parameter, &scope.parameters, &known));
+        }
+        Ok(())
+    }
+
+    /// Where different functions become the same.
+    fn of_difference(&mut self, scope: &Scope, left: &Expr, right: &Expr) -> Result<(), Fault> {
+        let (a, b) = (scope.rational_value(left)?, scope.rational_value(right)?);
+        let (a, b) = relation::components(left, &a, right, &b)?;
+        let differences: Vec<Poly> =
+            a.iter().zip(&b).map(|(a, b)| (a - b).reduced().numerator().clone()).collect();
+        let unknown_function = |poly: &Poly| {
+            poly.occurring_variables().iter().any(|variable| scope.calculus.is_function(variable))
+        };
+        if !differences.iter().all(Poly::is_zero) && !differences.iter().any(unknown_function) {
+            let coefficients =
+                differences.iter().flat_map(|poly| poly.coefficients_of(&scope.parameters).into_values());
+            self.add(&Locus::of(&coefficients.collect::<Vec<_>>(), &[]));
         }
         Ok(())
     }
@@ -187,12 +302,16 @@ impl Exceptions {
                     let parameter = &case.parameter;
                     self.other(format!("resultant({first}, {second}, parameter = {parameter}) != 0"));
                 }
-                (None, _) => self.other("general values of the symbols".to_owned()),
+                (None, _) => self.in_general(),
             }
         }
         if !undetermined.is_empty() {
-            self.other("general values of the symbols".to_owned());
+            self.in_general();
         }
+    }
+
+    fn in_general(&mut self) {
+        self.other(GENERAL.to_owned());
     }
 
     fn other(&mut self, condition: String) {
@@ -209,21 +328,54 @@ impl Exceptions {
     }
 
     fn of_coprime_polys(&mut self, scope: &Scope, polys: Vec<Poly>) {
-        let common = Poly::gcd_many(&polys);
-        let unknown_function = |poly: &Poly| {
-            poly.occurring_variables().iter().any(|variable| scope.calculus.is_function(variable))
-        };
-        if !polys.iter().any(|poly| is_symbolic(scope, poly)) || polys.iter().any(unknown_function) {
+        let is_unknown = |variable: &Variable| scope.calculus.is_function(variable);
+        if !polys.iter().any(|poly| is_symbolic(scope, poly)) {
             return;
         }
-        if scope.parameters.len() > 2 {
-            self.other("general values of the symbols".to_owned());
+        let occurring: BTreeSet<Variable> = polys.iter().flat_map(Poly::occurring_variables).collect();
+        if scope.parameters.len() > 2 || occurring.iter().any(is_unknown) {
+            if occurring.iter().any(|variable| scope.symbols.contains(variable)) {
+                self.in_general();
+            }
             return;
+        }
+        let common = Poly::gcd_many(&polys);
+        // The common factor must not become a number, nor zero.
+        let mut coefficients = common.coefficients_of(&scope.parameters);
+        if is_varying(scope, &common) {
+            coefficients.retain(|exponents, _| exponents.iter().any(|exponent| *exponent > 0));
         }
         let cofactors: Vec<Poly> = polys.iter().filter_map(|poly| poly.exact_div(&common)).collect();
-        let parameters: [Variable; 2] = surface_parameters(scope);
-        let (cases, undetermined) = common_factors(&cofactors, &parameters);
+        self.add(&Locus::of(&coefficients.into_values().collect::<Vec<_>>(), &[]));
+        if cofactors.iter().any(|cofactor| cofactor.is_constant() && !cofactor.is_zero()) {
+            return;
+        }
+        // Where a cofactor vanishes, the others have their own common factor.
+        for cofactor in cofactors.iter().filter(|cofactor| !cofactor.is_zero()) {
+            let content = Poly::gcd_many(
+                &cofactor.coefficients_of(&scope.parameters).into_values().collect::<Vec<_>>(),
+            );
+            if is_symbolic(scope, &content) {
+                self.add(&Locus::of(&[content], &[]));
+            }
+        }
+        let (cases, undetermined) = common_factors(&cofactors, &surface_parameters(scope));
         self.of_common_factor(&cases, &undetermined);
+    }
+
+    /// Where what is not rational in general may become so.
+    fn of_rational(&mut self, scope: &Scope, expr: &Expr) -> Result<(), Fault> {
+        if let Some(("offset", [surface, distance])) = called(expr) {
+            // The offset at the distance zero is the surface itself.
+            let distance = scope.scalar(&distance.value, "the distance of an offset")?;
+            self.add(&Locus::of(&[distance.lowest_terms().numerator().clone()], &[]));
+            if !unknowns(scope, &surface.value).is_empty() {
+                self.in_general();
+            }
+        } else if !unknowns(scope, expr).is_empty() {
+            self.in_general();
+        }
+        Ok(())
     }
 
     /// Where gcds and reduced homogeneous coordinates in an expression are not the generic ones.
@@ -231,20 +383,34 @@ impl Exceptions {
         match called(expr) {
             Some(("gcd", arguments)) => return self.of_coprime(scope, arguments),
             Some(("homogeneous", [argument])) => {
-                let Some(vector) = scope.evaluate(&argument.value)?.vector() else { return Ok(()) };
-                let unknown = |variable: &Variable| scope.calculus.is_function(variable);
-                if !vector
-                    .components()
-                    .iter()
-                    .flat_map(|part| part.occurring_variables())
-                    .any(|v| unknown(&v))
-                {
-                    let homogeneous = Homogeneous::of(&vector, &surface_parameters(scope));
-                    self.of_surface(&Conditions::of(&homogeneous));
+                if let Some(surface) = surface(scope, &argument.value) {
+                    self.of_surface(surface.conditions());
+                    return Ok(());
+                }
+                let vector = scope.evaluate(&argument.value)?.vector();
+                let is_unknown = |variable: Variable| scope.calculus.is_function(&variable);
+                match vector {
+                    Some(vector)
+                        if !vector
+                            .components()
+                            .iter()
+                            .flat_map(Fraction::occurring_variables)
+                            .any(is_unknown) =>
+                    {
+                        let homogeneous = Homogeneous::of(&vector, &surface_parameters(scope));
+                        self.of_surface(&Conditions::of(&homogeneous));
+                    }
+                    _ => self.in_general(),
                 }
                 return Ok(());
             }
             _ => {}
+        }
+        if let ExprKind::Ident(name) = expr.kind()
+            && self.seen.insert(name.clone())
+            && let Some(value) = definition(scope, name)
+        {
+            return self.of_reduced(scope, value);
         }
         if let ExprKind::Ident(name) = expr.kind()
             && COORDINATES.contains(&name.as_str())

@@ -1,5 +1,6 @@
 //! Items to models: the surface and the claims that a sweep or a lemma stands for.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use hodograph_algebra::{Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector, budget};
@@ -96,55 +97,15 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         }
     }
     let prefixes = symbolic_curves(item) > 1;
-    let mut surface = None;
-    let mut source = None;
-    // Domains first: arc lengths begin where they do.
-    for clause in &item.clauses {
-        if let ClauseKind::Domain(intervals) = &clause.kind {
-            for interval in intervals {
-                let result = guarded(interval.start.span().to(interval.end.span()), || {
-                    domain(&scope, &interval.parameter, &interval.start, &interval.end)
-                });
-                match result {
-                    Ok((parameter, interval)) => {
-                        scope.domains.insert(parameter, interval);
-                    }
-                    Err(fault) => fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one)),
-                }
-            }
-        }
+    scope.item = Some(Rc::new(item.clone()));
+    for fault in run(item, &mut scope, prefixes) {
+        fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one));
     }
-    for clause in &item.clauses {
-        let result = match &clause.kind {
-            ClauseKind::Source(text) => {
-                source = Some(text.value.clone());
-                Ok(())
-            }
-            ClauseKind::Claim(_) | ClauseKind::Domain(_) => Ok(()),
-            ClauseKind::Surface(definition) => {
-                let role = "the surface";
-                surface_of(&scope, item, &definition.value, role).and_then(|value| {
-                    let value = Rc::new(value);
-                    surface = Some(value.clone());
-                    scope.define(&definition.name, Value::Surface(value.clone()))?;
-                    scope.surface = Some(value);
-                    Ok(())
-                })
-            }
-            _ => {
-                let result = define(&mut scope, clause, prefixes);
-                if scope.surface.is_some() {
-                    surface.clone_from(&scope.surface);
-                }
-                result
-            }
-        };
-        if let Err(fault) = result {
-            fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one));
-            // Later clauses would only repeat that a name is missing.
-            poison(&mut scope, clause);
-        }
-    }
+    let surface = scope.surface.clone();
+    let source = item.clauses.iter().find_map(|clause| match &clause.kind {
+        ClauseKind::Source(text) => Some(text.value.clone()),
+        _ => None,
+    });
     let claims: Vec<Claim> = item
         .clauses
         .iter()
@@ -175,6 +136,57 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         }),
         scope,
     })
+}
+
+/// Evaluates the clauses of an item in their order, domains first, since arc lengths begin where they do.
+fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let intervals = item.clauses.iter().filter_map(|clause| match &clause.kind {
+        ClauseKind::Domain(intervals) => Some(intervals),
+        _ => None,
+    });
+    for interval in intervals.flatten() {
+        let result = guarded(interval.start.span().to(interval.end.span()), || {
+            domain(scope, &interval.parameter, &interval.start, &interval.end)
+        });
+        match result {
+            Ok((parameter, interval)) => _ = scope.domains.insert(parameter, interval),
+            Err(fault) => {
+                faults.push(fault.help("the ends of a domain are numbers that are written out, `0..1`"))
+            }
+        }
+    }
+    for clause in &item.clauses {
+        let result = match &clause.kind {
+            ClauseKind::Source(_) | ClauseKind::Claim(_) | ClauseKind::Domain(_) => Ok(()),
+            ClauseKind::Surface(definition) => surface_of(scope, item, &definition.value, "the surface")
+                .and_then(|value| {
+                    let value = Rc::new(value);
+                    scope.define(&definition.name, Value::Surface(value.clone()))?;
+                    scope.surface = Some(value);
+                    Ok(())
+                }),
+            _ => define(scope, clause, prefixes),
+        };
+        if let Err(fault) = result {
+            faults.push(fault);
+            // Later clauses would only repeat that a name is missing.
+            poison(scope, clause);
+        }
+    }
+    faults
+}
+
+/// The scope of an item where symbols have the given values: all of its clauses are evaluated anew, since a parametric
+/// speed, a gcd or a degree does not follow from its general form.
+pub(super) fn with_settings(item: &Rc<Item>, settings: BTreeMap<Variable, Fraction>) -> Result<Scope, Fault> {
+    let mut scope = Scope::new(parameters(item));
+    scope.item = Some(item.clone());
+    scope.settings = settings;
+    match run(item, &mut scope, symbolic_curves(item) > 1).into_iter().next() {
+        None => Ok(scope),
+        Some(fault) => Err(fault),
+    }
 }
 
 /// The clauses that define the surface, one a line; symbols that only claims use are left out.
@@ -363,9 +375,7 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
     match &clause.kind {
         ClauseKind::Symbol(names) => {
             for name in names {
-                let symbol = Variable::new(Variable::SYMBOL, &name.value);
-                scope.define(name, Value::Scalar(Poly::variable(&symbol).into()))?;
-                scope.symbols.push(symbol);
+                scope.define_symbol(name)?;
             }
         }
         ClauseKind::Function(functions) => {
@@ -537,6 +547,19 @@ pub(super) fn check_names(scope: &Scope, expr: &Expr, diagnostics: &mut Diagnost
 }
 
 impl Model {
+    /// The same item where symbols have these values; every clause is evaluated anew.
+    ///
+    /// # Errors
+    /// The first mistake that the values make, such as a curve that becomes a point.
+    pub fn with_values(&self, values: &BTreeMap<Variable, Poly>) -> Result<Model, Box<Diagnostic>> {
+        let settings = values.iter().map(|(symbol, value)| (symbol.clone(), value.clone().into())).collect();
+        let scope = match &self.scope.item {
+            Some(item) => with_settings(item, settings).map_err(|fault| fault.diagnostic)?,
+            None => self.scope.clone(),
+        };
+        Ok(Model { surface: scope.surface.clone(), scope, ..self.clone() })
+    }
+
     /// The symbols that are coefficients of curves, in the order of the clauses.
     #[must_use]
     pub fn coefficient_groups(&self) -> &[CoefficientGroup] {

@@ -1,16 +1,17 @@
 //! Judgements: what becomes of the claims of a model, and for what that holds.
 
-use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
-use hodograph_algebra::{Fraction, Poly, Variable, budget};
+use hodograph_algebra::{Variable, budget};
 
+use super::assumptions::Assumptions;
 use super::expression::shortened;
 use super::fault::Fault;
 use super::generic;
 use super::item::{Model, check_names};
 use super::relation::{self, Finding};
 use super::scope::Scope;
-use crate::language::ast::{Claim, Expr, ExprKind, ItemKind, RelationOperator, Verdict};
+use crate::language::ast::{Claim, Expr, ExprKind, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 
 /// What became of one claim.
@@ -79,31 +80,35 @@ impl Model {
 
     fn judge(&self, claim: &Claim, limit: u64, with_exceptions: bool) -> Result<Judgement, Box<Diagnostic>> {
         let outcome = budget::with_budget(limit, || {
-            let conditioned = self.conditioned(claim)?;
-            check_names_at_once(&conditioned.scope, &claim.relation)?;
-            let finding = relation::settle(&conditioned.scope, &claim.relation)?;
-            Ok::<_, Fault>((conditioned, finding))
+            let assumptions = Assumptions::of(&self.scope, &claim.conditions)?;
+            check_names_at_once(&assumptions.scope, &claim.relation)?;
+            let finding = relation::settle(&assumptions, &claim.relation)?;
+            Ok::<_, Fault>((assumptions, finding))
         });
-        let (conditioned, finding) = match outcome {
-            Ok(Ok((conditioned, finding))) => (Some(conditioned), finding),
+        let (assumptions, finding) = match outcome {
+            Ok(Ok((assumptions, finding))) => (Some(assumptions), finding),
             // Something that exists but has no rational form here is no mistake of the claim.
             Ok(Err(fault)) if fault.undecidable => (None, Finding::undecided(fault.diagnostic.message)),
             Ok(Err(fault)) => return Err(fault.diagnostic),
             Err(exhausted) => (None, Finding::undecided(exhausted.to_string())),
         };
         let mut conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
+        conditions.extend(finding.conditions.iter().cloned());
         conditions.extend(self.speed_conditions(&claim.relation));
-        if let (Some(conditioned), true) = (conditioned, with_exceptions)
+        if let (Some(assumptions), true) = (assumptions, with_exceptions)
             && finding.verdict != Verdict::Undecided
-            && !conditioned.scope.symbols.is_empty()
+            && !assumptions.scope.symbols.is_empty()
         {
+            let nonzero = assumptions.nonzero();
             conditions.extend(generic::conditions(
-                &conditioned.scope,
+                &assumptions.scope,
                 &claim.relation,
                 finding.general,
-                &conditioned.nonzero,
+                &nonzero,
             ));
         }
+        let mut stated = BTreeSet::new();
+        conditions.retain(|condition| stated.insert(condition.clone()));
         Ok(Judgement {
             id: claim.id.value.clone(),
             sweep: self.name.clone(),
@@ -117,15 +122,6 @@ impl Model {
             derived: finding.derived,
             witness: finding.witness.filter(|_| finding.verdict == Verdict::Refuted),
         })
-    }
-
-    /// The scope of a claim with its conditions put in: `when c0 == 1` sets a symbol, `when c0 != 0` is stated.
-    fn conditioned(&self, claim: &Claim) -> Result<Conditioned, Fault> {
-        let mut conditioned = Conditioned { scope: self.scope.clone(), nonzero: Vec::new() };
-        for condition in &claim.conditions {
-            conditioned = conditioned.with(condition)?;
-        }
-        Ok(conditioned)
     }
 
     /// What must be positive for the curves that a relation is about to have the parametric speed that was used.
@@ -154,7 +150,9 @@ impl Model {
             match self.scope.owner(variable) {
                 Some((name, true)) => curves.push(name),
                 Some((name, false)) => functions.push(name),
-                None => symbols.push(variable.name()),
+                // Radicals of numbers and of symbols are no unknowns of their own.
+                None if self.scope.symbols.contains(variable) => symbols.push(variable.name()),
+                None => {}
             }
         }
         let mut parts = Vec::new();
@@ -175,78 +173,6 @@ impl Model {
             (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }
-}
-
-/// A scope with the conditions of a claim.
-struct Conditioned {
-    /// The scope, with the values that equations give to symbols.
-    scope: Scope,
-    /// Polynomials that do not vanish.
-    nonzero: Vec<Poly>,
-}
-
-impl Conditioned {
-    /// The same with one more condition.
-    fn with(mut self, condition: &Expr) -> Result<Conditioned, Fault> {
-        let wrong = |message: &str| {
-            Fault::new(condition.span(), message)
-                .help("write `when c0 == 1`, `when c0 != 0` or `when c0 > 0`")
-        };
-        let (inner, negated) = match condition.kind() {
-            ExprKind::Not(inner) => (inner.as_ref(), true),
-            _ => (condition, false),
-        };
-        let ExprKind::Relation { left, operator, right } = inner.kind() else {
-            return Err(wrong("a condition is an equation or an inequality of symbols"));
-        };
-        let side = |expr: &Expr| self.scope.scalar(expr, "a side of a condition");
-        let difference = (&side(left)? - &side(right)?).reduced();
-        let foreign = |variable: &Variable| {
-            self.scope.parameters.contains(variable) || self.scope.calculus.is_function(variable)
-        };
-        if difference.occurring_variables().iter().any(foreign) {
-            return Err(wrong("a condition is about symbols, which do not depend on parameters"));
-        }
-        let holds = |operator: RelationOperator, sign: Ordering| match operator {
-            RelationOperator::Equal => sign.is_eq(),
-            RelationOperator::NotEqual => sign.is_ne(),
-            RelationOperator::Less => sign.is_lt(),
-            RelationOperator::LessEqual => sign.is_le(),
-            RelationOperator::Greater => sign.is_gt(),
-            RelationOperator::GreaterEqual => sign.is_ge(),
-        };
-        if let Some(number) = difference.to_number() {
-            return match holds(*operator, number.sign()) != negated {
-                true => Ok(self),
-                false => Err(wrong("this condition never holds")),
-            };
-        }
-        let allowed = |sign: Ordering| holds(*operator, sign) != negated;
-        if !allowed(Ordering::Equal) {
-            self.nonzero.push(difference.numerator().clone());
-        } else if !allowed(Ordering::Less) && !allowed(Ordering::Greater) {
-            let (symbol, value) = solved(&difference).ok_or_else(|| {
-                wrong(
-                    "this equation cannot be solved for a symbol: none stands in it linearly, times a number",
-                )
-            })?;
-            self.scope = self.scope.with_symbol(&symbol, &value, condition.span())?;
-        }
-        Ok(self)
-    }
-}
-
-/// A symbol in which an equation `f = 0` is linear, with a number as its coefficient, and its value. The last one is taken,
-/// so that `c1 == 2*c0` sets c1.
-fn solved(equation: &Fraction) -> Option<(Variable, Fraction)> {
-    let numerator = equation.numerator();
-    let linear = |symbol: &Variable| {
-        numerator.degree(symbol) == Some(1) && numerator.coefficients(symbol)[1].is_constant()
-    };
-    let symbol = numerator.occurring_variables().into_iter().rev().find(linear)?;
-    let coefficients = numerator.coefficients(&symbol);
-    let value = -(&coefficients[0] * coefficients[1].inverse());
-    Some((symbol, value.into()))
 }
 
 /// The names in an expression.

@@ -431,15 +431,18 @@
 //!
 //! - *Proved* and *refuted* are exact. *Undecided* are inequalities whose sides contain symbols or unknown functions,
 //!   or a denominator that may vanish on the domain, or that touch zero where subdivision finds no end; and all that
-//!   exceeds the budget. `not` leaves them undecided.
+//!   exceeds the budget; and what holds or fails in general, where no values of the symbols near which its conditions hold
+//!   were found. `not` leaves them undecided.
 //! - An inequality needs a domain for each parameter that occurs; the ends of the intervals belong to it.
 //! - What is proved of symbols and unknown functions holds for all of their values, except that degrees and common
-//!   factors are those of general values: special values of symbols can lower a degree, and which ones do stands among
+//!   factors, also those that `gcd` and `homogeneous` find, are those of general values: special values of symbols can
+//!   lower a degree or bring a common factor, and which ones do stands among
 //!   the *Conditions*. What is refuted may hold for special values. [`Judgement::scope`] says it.
 //! - Where an equality, `parallel` or an inequality is refuted, [`Judgement::witness`] is a point at which it fails,
-//!   with both sides.
+//!   with both sides, for values of the symbols that satisfy the claim's conditions.
 //! - `is_rational` is refuted for irrational speeds, arc lengths and roots, for what is made of them, and for offsets of
-//!   surfaces; in other parameters they may be rational.
+//!   surfaces; in other parameters they may be rational. What depends on symbols alone is a number: `sqrt(c)` is rational
+//!   where `c >= 0`. The offset at the distance 0 is the surface itself.
 //!
 //! ```
 //! # use hodograph_codegen::{language::parse_text, meaning::{Judgement, models}};
@@ -482,12 +485,12 @@
 //!
 //! - Stated ones: `when c1 == 2*c0` puts a scalar in place of a symbol, the last one in which the equation is linear with a
 //!   number for its coefficient; `when c0 != 0`, `when c0 > 0`, `when not c0 <= 1` are taken for granted. They contain no
-//!   parameters. Errors: an equation that cannot be solved; a condition that never holds.
+//!   parameters. Equations come first. Errors: an equation that cannot be solved; a condition that never holds.
 //! - The signs that parametric speeds are taken to have.
 //! - For a statement on degrees, `coprime`, and an equation with `gcd`, `homogeneous` or a homogeneous coordinate: that not
 //!   all leading coefficients vanish, and that no new common factor appears (of surfaces, that W is not zero either). A
-//!   bound that special values cannot break, such as `degree(X) <= (2, 9)`, needs none. Two polynomials with a resultant
-//!   that is too long are given as `resultant(f, g, parameter = v) != 0`. `general values of the symbols` stands for what
+//!   bound that special values cannot break, such as `degree(X) <= (2, 9)`, needs none. For `a != b`: that not all
+//!   coefficients of the difference vanish. Two polynomials with a resultant that is too long are given as `resultant(f, g, parameter = v) != 0`. `general values of the symbols` stands for what
 //!   is not determined within the budget. See [`Conditions`](hodograph_algebra::Conditions).
 //!
 //! ```
@@ -501,11 +504,13 @@
 //!     claim "Z": degree(Z) == (1, 2), when c > 0;
 //!     claim "Z": degree(Z) == (1, 2), when a == b + 1;
 //!     claim "bound": degree(Z) <= (1, 2);
+//!     claim "other": R.z != v^2;
 //! }"#;
 //! let (models, _mistakes) = models(&parse_text("parabolas.sweep", text).unwrap().0);
 //! let condition = |claim| models[0].check(claim, u64::MAX).unwrap().condition.unwrap_or_default();
 //! let conditions: Vec<String> = models[0].claims.iter().map(condition).collect();
-//! assert_eq!(conditions, ["c != 0 and a - b != 0", "c > 0 and a - b != 0", "a == b + 1 and c != 0", ""]);
+//! assert_eq!(conditions[..3], ["c != 0 and a - b != 0", "c > 0 and a - b != 0", "a == b + 1 and c != 0"]);
+//! assert_eq!(conditions[3..], ["", "c - 1 != 0"]);
 //! ```
 //!
 //! # Limits
@@ -518,7 +523,8 @@
 //! | numbers | 4096 digits; decimals up to 4096 places up or down ([`MAX_DECIMAL_EXPONENT`](hodograph_algebra::MAX_DECIMAL_EXPONENT)) |
 //! | independent square roots in a number | 16 |
 //! | order of `diff` | 100; 6 for an unknown function |
-//! | degree of `ph(n)`; of symbolic curves | 201; 32 |
+//! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial can hold: some 16 beside two parameters |
+//! | control points of `bezier` | 101 |
 //! | work for one clause | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units |
 //! | work for one claim | what [`Model::check`] is given |
 //!
@@ -540,6 +546,7 @@
 //! );
 //! ```
 
+mod assumptions;
 mod calls;
 mod curves;
 mod expression;

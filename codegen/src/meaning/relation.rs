@@ -2,12 +2,13 @@
 
 use hodograph_algebra::{BoxSign, Fraction, Interval, OffsetError, Poly, Variable, integer, parse_decimal};
 
+use super::assumptions::Assumptions;
 use super::expression::shortened;
 use super::fault::Fault;
 use super::scope::Scope;
 use super::value::Value;
 use super::witness;
-use super::{calls, functions};
+use super::{calls, functions, generic};
 use crate::language::Span;
 use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator, Verdict};
 
@@ -20,6 +21,8 @@ pub(super) struct Finding {
     pub derived: String,
     /// Where the claim fails.
     pub witness: Option<String>,
+    /// What must hold of the symbols besides what the claim assumes, as relations of the language.
+    pub conditions: Vec<String>,
     /// The variables that the sides depend on.
     pub variables: Vec<Variable>,
     /// Whether the finding is about unknowns in general, and may differ for special values of them.
@@ -30,7 +33,14 @@ impl Finding {
     fn new(holds: bool, derived: impl Into<String>) -> Finding {
         let verdict = if holds { Verdict::Proved } else { Verdict::Refuted };
         // What holds identically holds for all values; what fails somewhere may hold elsewhere.
-        Finding { verdict, derived: derived.into(), witness: None, variables: Vec::new(), general: !holds }
+        Finding {
+            verdict,
+            derived: derived.into(),
+            witness: None,
+            conditions: Vec::new(),
+            variables: Vec::new(),
+            general: !holds,
+        }
     }
 
     pub(super) fn undecided(derived: impl Into<String>) -> Finding {
@@ -51,6 +61,10 @@ impl Finding {
         Finding { general, ..self }
     }
 
+    fn is_refuted_at_a_point(&self) -> bool {
+        self.verdict == Verdict::Refuted && self.witness.is_some()
+    }
+
     fn with_witness(mut self, witness: Option<String>) -> Finding {
         self.witness = witness;
         self
@@ -69,20 +83,37 @@ impl Finding {
 }
 
 /// Settles a relation.
-pub(super) fn settle(scope: &Scope, relation: &Expr) -> Result<Finding, Fault> {
-    let finding = finding(scope, relation)?;
+pub(super) fn settle(assumptions: &Assumptions, relation: &Expr) -> Result<Finding, Fault> {
+    let mut finding = finding(assumptions, relation)?;
+    let reduced = generic::reduced(&assumptions.scope, relation);
+    if !reduced.is_empty() {
+        finding = finding.in_general(true).about_variables(reduced);
+    }
+    let samples = assumptions.samples();
+    let satisfiable = !samples.points.is_empty();
+    // What holds identically does so under any conditions; what holds or fails in general, where the conditions leave room.
+    if (finding.general || finding.verdict == Verdict::Refuted)
+        && !(samples.inner || (satisfiable && finding.is_refuted_at_a_point()))
+    {
+        let found = if satisfiable {
+            "only at special values were the conditions found to hold"
+        } else {
+            "no values of the symbols were found that satisfy the conditions"
+        };
+        finding = Finding::undecided(found).about_variables(finding.variables);
+    }
     match finding.variables.iter().find(|variable| variable.name() == "pi") {
         Some(_) => Err(Fault::pi(relation.span())),
         None => Ok(finding),
     }
 }
 
-fn finding(scope: &Scope, relation: &Expr) -> Result<Finding, Fault> {
+fn finding(assumptions: &Assumptions, relation: &Expr) -> Result<Finding, Fault> {
     match relation.kind() {
-        ExprKind::Not(inner) => Ok(finding(scope, inner)?.negated()),
-        ExprKind::Relation { left, operator, right } => compare(scope, left, *operator, right),
+        ExprKind::Not(inner) => Ok(finding(assumptions, inner)?.negated()),
+        ExprKind::Relation { left, operator, right } => compare(assumptions, left, *operator, right),
         ExprKind::Call { callee, arguments } => match callee.kind() {
-            ExprKind::Ident(name) => predicate(scope, relation, name, arguments),
+            ExprKind::Ident(name) => predicate(assumptions, relation, name, arguments),
             _ => Err(no_relation(relation)),
         },
         _ => Err(no_relation(relation)),
@@ -94,12 +125,18 @@ fn no_relation(expr: &Expr) -> Fault {
         .help("a claim is `a == b`, `a <= b`, `parallel(a, b)`, `positive(a)`, `is_rational(a)`, `coprime(a, b)` or `approx(a, 1.5)`")
 }
 
-fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument]) -> Result<Finding, Fault> {
+fn predicate(
+    assumptions: &Assumptions,
+    relation: &Expr,
+    name: &str,
+    arguments: &[Argument],
+) -> Result<Finding, Fault> {
+    let scope = &assumptions.scope;
     let call = calls::Call { scope, span: relation.span(), name, arguments };
     match name {
         "parallel" => {
             let [a, b] = call.positional()?;
-            parallel(scope, a, b)
+            parallel(assumptions, a, b)
         }
         "positive" => {
             let [a] = call.positional()?;
@@ -108,7 +145,7 @@ fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument])
         }
         "is_rational" => {
             let [a] = call.positional()?;
-            is_rational(scope, a)
+            is_rational(assumptions, a)
         }
         "approx" => {
             let [a, digits] = call.positional()?;
@@ -124,13 +161,20 @@ fn predicate(scope: &Scope, relation: &Expr, name: &str, arguments: &[Argument])
             let gcd = Poly::gcd_many(&polys);
             let sides: Vec<Fraction> = polys.into_iter().map(Fraction::from).collect();
             let text = format!("the common factor is {}", shortened(&gcd.to_string()));
-            Ok(Finding::new(gcd.is_one(), text).in_general(true).about(&sides))
+            // What depends on symbols alone is a number.
+            Ok(Finding::new(!functions::is_varying(scope, &gcd), text).in_general(true).about(&sides))
         }
         _ => Err(no_relation(relation)),
     }
 }
 
-fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr) -> Result<Finding, Fault> {
+fn compare(
+    assumptions: &Assumptions,
+    left: &Expr,
+    operator: RelationOperator,
+    right: &Expr,
+) -> Result<Finding, Fault> {
+    let scope = &assumptions.scope;
     let (a, b) = (scope.rational_value(left)?, scope.rational_value(right)?);
     if let Value::Degree(degree) = a.bare() {
         let derived = degree.to_string();
@@ -159,12 +203,17 @@ fn compare(scope: &Scope, left: &Expr, operator: RelationOperator, right: &Expr)
             RelationOperator::GreaterEqual | RelationOperator::Greater => !holds,
             RelationOperator::Equal | RelationOperator::NotEqual => beyond,
         };
-        let finding = Finding::new(holds, derived).in_general(!certain);
-        return Ok(finding.about_variables(degree.variables.iter().cloned()));
+        let mut variables = degree.variables.clone();
+        let mut fixed = true;
+        if let Value::Degree(other) = b.bare() {
+            fixed = other.variables.iter().all(|variable| scope.parameters.contains(variable));
+            variables.extend(other.variables.iter().cloned());
+        }
+        return Ok(Finding::new(holds, derived).in_general(!(certain && fixed)).about_variables(variables));
     }
     match operator {
-        RelationOperator::Equal => return equality(scope, left, &a, right, &b),
-        RelationOperator::NotEqual => return Ok(equality(scope, left, &a, right, &b)?.negated()),
+        RelationOperator::Equal => return equality(assumptions, left, &a, right, &b),
+        RelationOperator::NotEqual => return Ok(equality(assumptions, left, &a, right, &b)?.negated()),
         _ => {}
     }
     let side = |value: &Value, expr: &Expr| {
@@ -193,37 +242,52 @@ fn degrees(value: &Value) -> Option<Vec<i64>> {
     }
 }
 
-fn equality(scope: &Scope, left: &Expr, a: &Value, right: &Expr, b: &Value) -> Result<Finding, Fault> {
-    let (a, b) = if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
-        let real = a.im.is_zero() && b.im.is_zero();
-        if real { (vec![a.re], vec![b.re]) } else { (vec![a.re, a.im], vec![b.re, b.im]) }
-    } else {
-        let mixed = || {
-            let message = format!("{} is compared with {}", a.kind(), b.kind());
-            Fault::new(left.span().to(right.span()), message).help("both sides must be scalars, or vectors")
-        };
-        let long = |value: &Value| matches!(value.bare(), Value::Tuple(parts) if parts.len() > 3);
-        let sides = if long(a) || long(b) {
-            (a.components(), b.components())
-        } else {
-            let components = |value: &Value| value.vector().map(|vector| vector.components().to_vec());
-            (components(a), components(b))
-        };
-        match sides {
-            (Some(a), Some(b)) if a.len() == b.len() => (a, b),
-            _ => return Err(mixed()),
-        }
-    };
+fn equality(
+    assumptions: &Assumptions,
+    left: &Expr,
+    a: &Value,
+    right: &Expr,
+    b: &Value,
+) -> Result<Finding, Fault> {
+    let (a, b) = components(left, a, right, b)?;
     let differences: Vec<Fraction> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
     let holds = differences.iter().all(Fraction::is_zero);
     let value = print(&a);
     if holds {
         return Ok(Finding::new(true, format!("both sides are {value}")).about(a.iter().chain(&b)));
     }
-    let witness = witness::unequal(scope, &a, &b);
+    let witness = witness::unequal(assumptions, &a, &b);
     Ok(Finding::new(false, format!("the left side is {value}"))
         .with_witness(witness)
         .about(a.iter().chain(&b)))
+}
+
+/// The components of both sides of an equation, as many on the left as on the right.
+pub(super) fn components(
+    left: &Expr,
+    a: &Value,
+    right: &Expr,
+    b: &Value,
+) -> Result<(Vec<Fraction>, Vec<Fraction>), Fault> {
+    if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
+        let real = a.im.is_zero() && b.im.is_zero();
+        return Ok(if real { (vec![a.re], vec![b.re]) } else { (vec![a.re, a.im], vec![b.re, b.im]) });
+    }
+    let mixed = || {
+        let message = format!("{} is compared with {}", a.kind(), b.kind());
+        Fault::new(left.span().to(right.span()), message).help("both sides must be scalars, or vectors")
+    };
+    let long = |value: &Value| matches!(value.bare(), Value::Tuple(parts) if parts.len() > 3);
+    let sides = if long(a) || long(b) {
+        (a.components(), b.components())
+    } else {
+        let components = |value: &Value| value.vector().map(|vector| vector.components().to_vec());
+        (components(a), components(b))
+    };
+    match sides {
+        (Some(a), Some(b)) if a.len() == b.len() => Ok((a, b)),
+        _ => Err(mixed()),
+    }
 }
 
 /// A value for a report: scalars bare, several components in parentheses, cut where very long.
@@ -243,7 +307,8 @@ pub(super) fn print(components: &[Fraction]) -> String {
     format!("{}… ({length} characters)", parts.chars().take(LONGEST).collect::<String>())
 }
 
-fn parallel(scope: &Scope, left: &Expr, right: &Expr) -> Result<Finding, Fault> {
+fn parallel(assumptions: &Assumptions, left: &Expr, right: &Expr) -> Result<Finding, Fault> {
+    let scope = &assumptions.scope;
     let side = |expr: &Expr| {
         let value = scope.rational_value(expr)?;
         value.components().ok_or_else(|| {
@@ -272,17 +337,34 @@ fn parallel(scope: &Scope, left: &Expr, right: &Expr) -> Result<Finding, Fault> 
         None => Finding::new(true, derived),
         Some((i, j)) => {
             let (p, q) = (&a[i] * &b[j], &a[j] * &b[i]);
-            let witness = witness::not_parallel(scope, &[p], &[q], &a, &b);
+            let witness = witness::not_parallel(assumptions, &[p], &[q], &a, &b);
             Finding::new(false, derived).with_witness(witness)
         }
     }
     .about(a.iter().chain(&b)))
 }
 
-fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
+fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault> {
+    let scope = &assumptions.scope;
+    let unknowns = || generic::unknowns(scope, expr);
     match scope.evaluate(expr) {
-        Err(fault) if fault.irrational => Ok(Finding::new(false, fault.diagnostic.message)),
-        Err(fault) => Err(fault),
+        Err(fault) if fault.irrational => {
+            Ok(Finding::new(false, fault.diagnostic.message).about_variables(unknowns()))
+        }
+        Err(fault) => match functions::symbolic_root(scope, expr)? {
+            // Over the real numbers a function of the symbols is a constant.
+            Some(radicand) => {
+                let text =
+                    format!("it contains the square root of {radicand}, which depends on the symbols alone");
+                let mut finding = Finding::new(true, text).about_variables(unknowns());
+                if !functions::is_positive_everywhere(&radicand) && !assumptions.state_nonnegative(&radicand)
+                {
+                    finding.conditions.push(format!("{radicand} >= 0"));
+                }
+                Ok(finding)
+            }
+            None => Err(fault),
+        },
         Ok(value) => match value.bare() {
             Value::Offset(offset) => match offset.as_ref() {
                 Ok(surface) => {
@@ -291,12 +373,11 @@ fn is_rational(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
                         .about(surface.position().components()))
                 }
                 Err(error @ OffsetError::SymbolicRadical { radicand, .. }) => {
-                    Ok(Finding::new(true, error.to_string()).about_variables(
-                        radicand.occurring_variables().into_iter().chain(scope.symbols.iter().cloned()),
-                    ))
+                    Ok(Finding::new(true, error.to_string())
+                        .about_variables(radicand.occurring_variables().into_iter().chain(unknowns())))
                 }
                 Err(error @ OffsetError::Irrational { .. }) => {
-                    Ok(Finding::new(false, error.to_string()).about_variables(scope.symbols.iter().cloned()))
+                    Ok(Finding::new(false, error.to_string()).about_variables(unknowns()))
                 }
                 Err(error) => Err(Fault::offset(expr.span(), error)),
             },

@@ -6,11 +6,10 @@ use std::rc::Rc;
 
 use hodograph_algebra::{Calculus, Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector};
 
-use super::calls::substitute;
 use super::fault::Fault;
 use super::group::CoefficientGroup;
-use super::value::{ComplexFraction, FunctionValue, Value};
-use crate::language::ast::Name;
+use super::value::{ComplexFraction, Value};
+use crate::language::ast::{Item, Name};
 use crate::language::{Diagnostic, Span, closest};
 
 /// Functions of the language, which cannot be redefined.
@@ -82,6 +81,10 @@ pub(super) struct Scope {
     news: RefCell<News>,
     /// Whether the item has a surface, be it further down.
     pub(super) has_surface: bool,
+    /// The item that it belongs to.
+    pub(super) item: Option<Rc<Item>>,
+    /// Symbols that have values, which may contain other symbols.
+    pub(super) settings: BTreeMap<Variable, Fraction>,
     /// The item's own surface.
     pub(super) surface: Option<Rc<SweptSurface>>,
 }
@@ -100,6 +103,8 @@ impl Scope {
             curve: None,
             news: RefCell::default(),
             has_surface: false,
+            item: None,
+            settings: BTreeMap::new(),
             surface: None,
         }
     }
@@ -126,8 +131,7 @@ impl Scope {
         self.groups.extend(news.groups);
         for symbol in symbols {
             let name = Name { value: symbol.name().to_owned(), span };
-            self.define(&name, Value::Scalar(Poly::variable(&symbol).into()))?;
-            self.symbols.push(symbol);
+            self.define_symbol(&name)?;
         }
         Ok(())
     }
@@ -267,29 +271,53 @@ impl Scope {
             || (self.surface.is_some() && COORDINATES.contains(&name))
     }
 
-    /// The same scope with a scalar in place of a symbol.
+    /// The same scope with a scalar in place of a symbol: the item's clauses, evaluated anew.
     pub(super) fn with_symbol(
         &self,
         symbol: &Variable,
         value: &Fraction,
         span: Span,
     ) -> Result<Scope, Fault> {
-        let values = BTreeMap::from([(symbol.clone(), value.clone())]);
-        let undefined = || {
-            let message = format!("a derivative is not defined at {symbol} = {value}");
+        let undefined = |known: &Fraction| {
+            let message = format!("`{known}` is not defined where {symbol} = {value}");
             Fault::new(span, message).help("its denominator vanishes there")
         };
-        let mut scope = self.clone();
-        scope.calculus = Rc::new(self.calculus.specialized(&values).ok_or_else(undefined)?);
-        let context = scope.clone();
-        for (known, _) in scope.values.values_mut() {
-            *known = specialize(&context, span, known, &values)?;
+        let one = BTreeMap::from([(symbol.clone(), value.clone())]);
+        let mut settings = BTreeMap::new();
+        for (set, known) in &self.settings {
+            settings.insert(set.clone(), known.substitute(&one).ok_or_else(|| undefined(known))?);
         }
-        if let Some(surface) = &self.surface {
-            scope.surface = Some(Rc::new(specialized_surface(&context, span, surface, &values)?));
+        settings.insert(symbol.clone(), value.clone());
+        let Some(item) = &self.item else { return Err(Fault::silent(span)) };
+        super::item::with_settings(item, settings).map_err(|fault| {
+            let message = format!("where {symbol} = {value}: {}", fault.diagnostic.message);
+            let told = Fault::new(span, message);
+            if fault.undecidable { told.undecidable() } else { told }
+        })
+    }
+
+    /// Defines an unknown constant, or gives the name the value that is set for it.
+    pub(super) fn define_symbol(&mut self, name: &Name) -> Result<(), Fault> {
+        let symbol = Variable::new(Variable::SYMBOL, &name.value);
+        match self.settings.get(&symbol) {
+            Some(value) => self.define(name, Value::Scalar(value.clone())),
+            None => {
+                self.define(name, Value::Scalar(Poly::variable(&symbol).into()))?;
+                self.symbols.push(symbol);
+                Ok(())
+            }
         }
-        scope.symbols.retain(|other| other != symbol);
-        Ok(scope)
+    }
+
+    /// The polynomial that a curve's symbolic coefficient is.
+    pub(super) fn coefficient(&self, symbol: &Variable, span: Span) -> Result<Poly, Fault> {
+        match self.settings.get(symbol) {
+            None => Ok(Poly::variable(symbol)),
+            Some(value) => value.to_poly().ok_or_else(|| {
+                let message = format!("the coefficient {symbol} of a curve is set to the quotient {value}");
+                Fault::new(span, message).help("set coefficients of curves to polynomials in other symbols")
+            }),
+        }
     }
 
     /// The value of a name.
@@ -361,52 +389,4 @@ fn constant(name: &str) -> Option<Value> {
 fn is_radical(name: &str) -> bool {
     let digits = name.strip_prefix("sqrt").filter(|rest| !rest.is_empty()).or(name.strip_prefix("theta"));
     digits.is_some_and(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))
-}
-
-/// A value with scalars in place of symbols.
-fn specialize(
-    scope: &Scope,
-    span: Span,
-    value: &Value,
-    values: &BTreeMap<Variable, Fraction>,
-) -> Result<Value, Fault> {
-    Ok(match value {
-        Value::Curve(curve) => {
-            let position = substitute(scope, span, value, values)?.vector().unwrap_or_else(Vector::zero);
-            let domain = scope.domains.get(curve.parameter()).cloned();
-            let known = curve.known_for(values);
-            Value::Curve(Rc::new(Curve::new(
-                curve.parameter(),
-                position,
-                domain,
-                known,
-                scope.calculus.clone(),
-            )))
-        }
-        Value::Surface(surface) => {
-            Value::Surface(Rc::new(specialized_surface(scope, span, surface, values)?))
-        }
-        Value::Function(function) => {
-            let value = specialize(scope, span, &function.value, values)?;
-            Value::Function(Rc::new(FunctionValue { parameters: function.parameters.clone(), value }))
-        }
-        Value::List(parts) => Value::List(
-            parts.iter().map(|part| specialize(scope, span, part, values)).collect::<Result<_, _>>()?,
-        ),
-        Value::Offset(_) | Value::Degree(_) => value.clone(),
-        Value::Scalar(_) | Value::Complex(_) | Value::Vector(_) | Value::Tuple(_) => {
-            substitute(scope, span, value, values)?
-        }
-    })
-}
-
-fn specialized_surface(
-    scope: &Scope,
-    span: Span,
-    surface: &SweptSurface,
-    values: &BTreeMap<Variable, Fraction>,
-) -> Result<SweptSurface, Fault> {
-    let position = Value::Vector(surface.position().clone());
-    let position = substitute(scope, span, &position, values)?.vector().unwrap_or_else(Vector::zero);
-    Ok(SweptSurface::new(position, surface.parameters().clone(), surface.domain().clone()))
 }

@@ -4,20 +4,20 @@ use std::collections::BTreeMap;
 
 use hodograph_algebra::{Fraction, Interval, Point, Poly, Rational, Variable, ratio};
 
-use super::scope::Scope;
+use super::assumptions::Assumptions;
 
 /// How many points are tried; a nonzero rational function vanishes or has poles at few of them.
 const MOST_TRIALS: i64 = 64;
 
 /// A rational point at which the components of `a` and `b` differ, with both values.
-pub(super) fn unequal(scope: &Scope, a: &[Fraction], b: &[Fraction]) -> Option<String> {
-    find(scope, a, b, |a, b| a != b)
+pub(super) fn unequal(assumptions: &Assumptions, a: &[Fraction], b: &[Fraction]) -> Option<String> {
+    find(assumptions, a, b, |a, b| a != b)
 }
 
 /// A rational point at which `p ≠ q`, which are a minor's products for `a` and `b`; the values shown are those of `a` and
 /// `b`.
 pub(super) fn not_parallel(
-    scope: &Scope,
+    assumptions: &Assumptions,
     p: &[Fraction],
     q: &[Fraction],
     a: &[Fraction],
@@ -26,7 +26,7 @@ pub(super) fn not_parallel(
     let joined = |x: &[Fraction], y: &[Fraction]| x.iter().chain(y).cloned().collect::<Vec<_>>();
     let (left, right) = (joined(a, p), joined(b, q));
     let split = a.len();
-    find_shown(scope, &left, &right, split, |a, b| a[split..] != b[split..])
+    find_shown(assumptions, &left, &right, split, |a, b| a[split..] != b[split..])
 }
 
 /// A point of the domain where all variables are at the beginning of their intervals.
@@ -55,16 +55,16 @@ pub(super) fn point(point: &Point) -> String {
 }
 
 fn find(
-    scope: &Scope,
+    assumptions: &Assumptions,
     a: &[Fraction],
     b: &[Fraction],
     differ: impl Fn(&[Poly], &[Poly]) -> bool,
 ) -> Option<String> {
-    find_shown(scope, a, b, a.len(), differ)
+    find_shown(assumptions, a, b, a.len(), differ)
 }
 
 fn find_shown(
-    scope: &Scope,
+    assumptions: &Assumptions,
     a: &[Fraction],
     b: &[Fraction],
     shown: usize,
@@ -73,10 +73,16 @@ fn find_shown(
     let mut variables: Vec<Variable> = a.iter().chain(b).flat_map(Fraction::occurring_variables).collect();
     variables.sort();
     variables.dedup();
-    for trial in 0..MOST_TRIALS {
-        let mut at = Point::new();
+    // The values of symbols must be such as the claim assumes.
+    let samples = assumptions.samples().points.iter().cycle();
+    for (trial, sample) in (0..MOST_TRIALS).zip(samples) {
+        let mut at = sample.clone();
+        at.retain(|symbol, _| variables.contains(symbol));
         for (index, variable) in (0_i64..).zip(&variables) {
-            let value = match scope.domains.get(variable) {
+            if at.contains_key(variable) {
+                continue;
+            }
+            let value = match assumptions.scope.domains.get(variable) {
                 Some(interval) => interval.point(&fraction_of(trial, index)),
                 None => Poly::constant(ratio(1 + index + trial * (index + 2), 1 + trial)),
             };

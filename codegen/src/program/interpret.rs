@@ -1,5 +1,6 @@
 //! Interpretation of a program over any arithmetic.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{Constant, Input, Operation, Program, Value};
@@ -51,27 +52,87 @@ pub fn interpret<C: Constant, A: Arithmetic<C>>(
     results: &[Value],
     arithmetic: &A,
 ) -> Result<Vec<A::Number>, Undefined> {
-    let mut numbers: Vec<Option<A::Number>> = vec![None; program.operations().len()];
-    // What is needed is listed after its operands, so each operand has its number already.
-    let number = |numbers: &[Option<A::Number>], value: Value| {
-        numbers[value.index()].clone().ok_or(Undefined { value })
-    };
-    for value in program.needed(results) {
-        let of = |operand: Value| number(&numbers, operand);
+    let mut interpreter = Interpreter::new(program, arithmetic);
+    interpreter.run(results)?;
+    results.iter().map(|&result| interpreter.number(result).cloned()).collect()
+}
+
+/// A program that is run over an arithmetic part by part: every number is computed once.
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::program::{Floats, Input, Interpreter, Program};
+/// let mut program = Program::<f64>::new();
+/// let u = program.input(Input::U);
+/// let square = program.multiply(u, u);
+/// let floats = Floats { u: 3.0, v: 0.0, symbols: &[] };
+/// let mut interpreter = Interpreter::new(&program, &floats);
+/// assert_eq!(interpreter.run(&[square]), Ok(()));
+/// assert_eq!(interpreter.number(square), Ok(&9.0));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Interpreter<'a, C, A: Arithmetic<C>> {
+    program: &'a Program<C>,
+    arithmetic: &'a A,
+    numbers: Vec<Option<A::Number>>,
+}
+
+impl<'a, C: Constant, A: Arithmetic<C>> Interpreter<'a, C, A> {
+    /// The interpreter that has computed nothing yet.
+    #[must_use]
+    pub fn new(program: &'a Program<C>, arithmetic: &'a A) -> Interpreter<'a, C, A> {
+        Interpreter { program, arithmetic, numbers: vec![None; program.operations().len()] }
+    }
+
+    /// The program.
+    #[must_use]
+    pub fn program(&self) -> &'a Program<C> {
+        self.program
+    }
+
+    /// Computes the numbers of `results`, and of what they need, as far as they are not known.
+    ///
+    /// # Errors
+    /// [`Undefined`] names the first needed value that the arithmetic does not have.
+    pub fn run(&mut self, results: &[Value]) -> Result<(), Undefined> {
+        let mut wanted = BTreeSet::new();
+        let mut waiting = results.to_vec();
+        while let Some(value) = waiting.pop() {
+            if self.numbers[value.index()].is_none() && wanted.insert(value) {
+                waiting.extend(self.program.operation(value).operands());
+            }
+        }
+        // Operands are listed before what they are operands of, so each one has its number already.
+        for value in wanted {
+            let number = self.compute(value)?;
+            self.numbers[value.index()] = Some(number);
+        }
+        Ok(())
+    }
+
+    /// The number of a value.
+    ///
+    /// # Errors
+    /// [`Undefined`] if it has not been computed.
+    pub fn number(&self, value: Value) -> Result<&A::Number, Undefined> {
+        self.numbers[value.index()].as_ref().ok_or(Undefined { value })
+    }
+
+    fn compute(&self, value: Value) -> Result<A::Number, Undefined> {
+        let of = |operand: Value| self.number(operand);
         let undefined = Undefined { value };
-        let result = match program.operation(value) {
+        let arithmetic = self.arithmetic;
+        Ok(match self.program.operation(value) {
             Operation::Constant(constant) => arithmetic.constant(constant),
             Operation::Input(input) => arithmetic.input(*input),
-            Operation::Add(a, b) => arithmetic.add(&of(*a)?, &of(*b)?),
-            Operation::Subtract(a, b) => arithmetic.subtract(&of(*a)?, &of(*b)?),
-            Operation::Multiply(a, b) => arithmetic.multiply(&of(*a)?, &of(*b)?),
-            Operation::Divide(a, b) => arithmetic.divide(&of(*a)?, &of(*b)?).ok_or(undefined)?,
-            Operation::Negate(a) => arithmetic.negate(&of(*a)?),
-            Operation::SquareRoot(a) => arithmetic.square_root(&of(*a)?).ok_or(undefined)?,
-        };
-        numbers[value.index()] = Some(result);
+            Operation::Add(a, b) => arithmetic.add(of(*a)?, of(*b)?),
+            Operation::Subtract(a, b) => arithmetic.subtract(of(*a)?, of(*b)?),
+            Operation::Multiply(a, b) => arithmetic.multiply(of(*a)?, of(*b)?),
+            Operation::Divide(a, b) => arithmetic.divide(of(*a)?, of(*b)?).ok_or(undefined)?,
+            Operation::Negate(a) => arithmetic.negate(of(*a)?),
+            Operation::SquareRoot(a) => arithmetic.square_root(of(*a)?).ok_or(undefined)?,
+        })
     }
-    results.iter().map(|&result| number(&numbers, result)).collect()
 }
 
 /// The arithmetic of `f64`, at one point: it computes what emitted code computes, bit for bit.

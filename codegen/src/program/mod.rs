@@ -17,7 +17,7 @@ mod verify;
 use std::collections::BTreeMap;
 
 pub use count::OperationCounts;
-pub use interpret::{Arithmetic, Floats, Undefined, interpret};
+pub use interpret::{Arithmetic, Floats, Interpreter, Undefined, interpret};
 pub use terms::Term;
 pub use verify::{Fault, verify};
 

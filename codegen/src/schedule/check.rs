@@ -4,9 +4,9 @@ use std::fmt;
 
 use hodograph_algebra::{Poly, Variable, budget};
 
-use super::differentiate::is_derivative;
+use super::differentiate::Derivatives;
 use super::{Derived, outputs};
-use crate::program::{Arithmetic, Fault, Input, Program, Stage, Value, interpret, verify};
+use crate::program::{Arithmetic, Fault, Input, Interpreter, Program, Stage, verify};
 
 /// The arithmetic of fractions of polynomials: a number is a numerator and a denominator.
 ///
@@ -185,21 +185,22 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
     let symbol = |name: &String| Poly::variable(&Variable::new(Variable::SYMBOL, name));
     let symbols = program.symbols().iter().map(symbol).collect();
     let arithmetic = Fractions { u: Poly::variable(u), v: Poly::variable(v), symbols };
+    let mut numbers = Interpreter::new(program, &arithmetic);
     for (output, fractions) in expected {
-        doing(output, || check_output(program, output, &fractions, &arithmetic))?;
+        doing(output, || check_output(&mut numbers, output, &fractions))?;
     }
     // The point is proved now; most derivatives follow from it, term by term.
     let point = program.results(outputs::POINT);
+    let mut derivatives = Derivatives::new(numbers, &arithmetic);
     for (output, variable, stage) in [(outputs::PARTIAL_U, u, Stage::U), (outputs::PARTIAL_V, v, Stage::V)] {
         let found = program.results(output);
-        let follows = |(&derivative, &value): (&Value, &Value)| {
-            is_derivative(program, derivative, value, (variable, stage), &arithmetic)
-        };
         doing(output, || {
-            if found.len() == point.len() && found.iter().zip(point).all(follows) {
+            let mut pairs = found.iter().zip(point);
+            let follows = pairs.all(|(&slope, &value)| derivatives.proves(slope, value, (variable, stage)));
+            if follows && found.len() == point.len() {
                 return Ok(());
             }
-            check_output(program, output, &partial(variable), &arithmetic)
+            check_output(derivatives.numbers(), output, &partial(variable))
         })?;
     }
     Ok(())
@@ -210,19 +211,18 @@ fn doing<T>(output: &str, work: impl FnOnce() -> T) -> T {
 }
 
 fn check_output(
-    program: &Program<Poly>,
+    numbers: &mut Interpreter<'_, Poly, Fractions>,
     output: &str,
     expected: &[(Poly, Poly)],
-    arithmetic: &Fractions,
 ) -> Result<(), Mismatch> {
-    let results = program.results(output);
+    let results = numbers.program().results(output);
     if results.len() != expected.len() {
         return Err(Mismatch::Missing(output.to_string()));
     }
-    let found =
-        interpret(program, results, arithmetic).map_err(|_| Mismatch::Undefined(output.to_string()))?;
-    for (place, (found, expected)) in found.iter().zip(expected).enumerate() {
-        if !equal(found, expected) {
+    let undefined = |_| Mismatch::Undefined(output.to_string());
+    numbers.run(results).map_err(undefined)?;
+    for (place, (&result, expected)) in results.iter().zip(expected).enumerate() {
+        if !equal(numbers.number(result).map_err(undefined)?, expected) {
             return Err(Mismatch::Differs { output: output.to_string(), place });
         }
     }

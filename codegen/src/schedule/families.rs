@@ -24,7 +24,7 @@ pub(super) fn separate(
     parameters: &Parameters,
     known: &[Poly],
 ) -> Separation {
-    let all = polys.iter().chain([&weight.0, &weight.1]);
+    let all = polys.iter().chain([&weight.0, &weight.1]).chain(known);
     let family = Family { polys, weight, parameters, symbols: symbols(all, parameters) };
     family
         .of_known(known)

@@ -63,7 +63,8 @@ pub(super) fn proportional(a: &Poly, b: &Poly) -> bool {
     !a.is_zero() && !b.is_zero() && a.number_quotient(b).is_some()
 }
 
-/// The coefficients of the remainder of `a` by `b` with respect to `parameter`: as many as the degree of `b`.
+/// The coefficients of the remainder of `a` by `b` with respect to `parameter`: as many as the degree of `b`. The leading
+/// coefficient of `b` is a number.
 pub(super) fn remainder(a: &Poly, b: &Poly, parameter: &Variable) -> Vec<Poly> {
     let divisor = b.monic().coefficients(parameter);
     let degree = divisor.len() - 1;

@@ -6,7 +6,8 @@ use super::quotient::Quotient;
 use super::univariate::Builder;
 use crate::program::{Operation, Stage, Value};
 
-/// The number of products of terms up to which a derivative is reduced, and of terms up to which it is written out.
+/// The number of products of terms up to which a derivative is reduced, and of terms up to which it is written out: so large
+/// that the derivatives along PH quintics are reduced, and so small that Horner's scheme costs no more than the rules.
 const LARGE_PRODUCT: usize = 2000;
 const LARGE: usize = 150;
 
@@ -84,6 +85,7 @@ impl Builder<'_> {
                 let slope = self.slope(a, parameter);
                 self.program.negate(slope)
             }
+            // A value of the other parameter does not occur in a polynomial of this one.
             Operation::Input(_) => self.program.constant(Poly::one()),
             _ => match poly {
                 Some(poly) => self.polynomial(&poly.derivative(parameter)),

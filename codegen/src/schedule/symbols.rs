@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use hodograph_algebra::{Poly, Variable, integer};
 
 use super::univariate::Builder;
-use crate::program::Value;
+use crate::program::{Operation, Value};
 
 impl Builder<'_> {
     /// The value of a number, or of a polynomial in symbols alone.
@@ -56,7 +56,10 @@ impl Builder<'_> {
             None => self.program.constant(Poly::zero()),
         };
         for coefficient in coefficients {
-            let product = self.program.multiply(sum, base);
+            let product = match self.program.operation(sum) {
+                Operation::Constant(leading) if (-leading).is_one() => self.program.negate(base),
+                _ => self.program.multiply(sum, base),
+            };
             sum = if *coefficient.content() < integer(0) {
                 let magnitude = self.number(&-coefficient);
                 self.program.subtract(product, magnitude)

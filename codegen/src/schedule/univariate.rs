@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use hodograph_algebra::{Poly, Rational, Variable};
 
-use super::quotient::{Quotient, proportional, ratio_of};
+use super::quotient::Quotient;
 use super::separate::Parameters;
 use crate::program::{Constant, Input, Operation, Program, Stage, Table, Value};
 use crate::round::{exact, nearest};
@@ -133,16 +133,22 @@ impl<'a> Builder<'a> {
         let Some((variable, input)) = self.parameter(poly) else {
             return self.number(poly);
         };
-        let worth = |known: &Poly| known == poly || *known == -poly || poly.degree(&variable) > Some(1);
-        if let Some((known, value)) =
-            self.evaluated.iter().find(|(known, _)| worth(known) && proportional(known, poly))
-        {
-            let (factor, value) = (ratio_of(poly, known), *value);
+        let linear = poly.degree(&variable) <= Some(1);
+        let is_sign = |factor: &Poly| factor.is_one() || (-factor).is_one();
+        let multiple = |(known, value): &(Poly, Value)| {
+            let factor = poly.number_quotient(known)?;
+            (!linear || is_sign(&factor)).then_some((factor, *value))
+        };
+        if let Some((factor, value)) = self.evaluated.iter().find_map(multiple) {
             return self.scaled(&factor, value);
         }
-        if let Some((name, known)) = self.known.iter().find(|(_, known)| known == poly || *known == -poly) {
+        let named = |(name, known): &'a (String, Poly)| {
+            let factor = poly.number_quotient(known)?;
+            is_sign(&factor).then_some((name, known, factor.is_one()))
+        };
+        if let Some((name, known, equal)) = self.known.iter().find_map(named) {
             let value = self.new_polynomial(known, &variable, input, Some(name));
-            return if known == poly { value } else { self.program.negate(value) };
+            return if equal { value } else { self.program.negate(value) };
         }
         self.new_polynomial(poly, &variable, input, None)
     }
@@ -207,11 +213,16 @@ impl<'a> Builder<'a> {
         name: Option<&str>,
     ) -> Value {
         let degree = |poly: &Poly| poly.degree(variable).unwrap_or(0);
-        let factors = self.evaluated.iter().filter(|(factor, _)| degree(factor) > 1);
-        let quotients =
-            factors.filter_map(|(factor, value)| Some((degree(factor), *value, poly.exact_div(factor)?)));
-        let value = match quotients.max_by_key(|(degree, ..)| *degree) {
-            Some((_, value, cofactor)) => {
+        // Of the factors of the largest degree the last one is taken.
+        let mut factors: Vec<(u32, &Poly, Value)> =
+            self.evaluated.iter().rev().map(|(factor, value)| (degree(factor), factor, *value)).collect();
+        let most = degree(poly);
+        factors.retain(|(degree, ..)| (2..=most).contains(degree));
+        factors.sort_by_key(|(degree, ..)| std::cmp::Reverse(*degree));
+        let mut quotients =
+            factors.into_iter().filter_map(|(_, factor, value)| Some((value, poly.exact_div(factor)?)));
+        let value = match quotients.next() {
+            Some((value, cofactor)) => {
                 let cofactor = self.polynomial(&cofactor);
                 self.program.multiply(cofactor, value)
             }

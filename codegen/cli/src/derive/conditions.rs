@@ -2,8 +2,8 @@
 
 use hodograph_algebra::{CommonZero, Conditions, Homogeneous, Locus, Offset, Poly, Variable, budget};
 
-/// Units of work for the conditions of one surface.
-const LIMIT: u64 = 60_000_000;
+/// What is said where there are none because of the budget.
+pub(super) const UNDETERMINED: &str = "conditions on the symbols are not determined within the budget";
 
 /// A sentence on what happens for some values of the symbols, and for which ones.
 #[derive(Clone, Debug)]
@@ -23,13 +23,25 @@ pub(super) struct Alternative {
     pub(super) common_zero: Option<(Variable, Vec<Poly>)>,
     /// Whether it happens wherever the polynomials vanish; else it does nowhere but there.
     pub(super) exact: bool,
-    /// Where it may not happen all the same.
+    /// Where it may or may not happen.
     pub(super) unless: Locus,
+}
+
+impl Alternative {
+    /// How what happens is related to the equations, if it is one of `several` alternatives or the only one.
+    pub(super) fn relation(&self, several: bool) -> &'static str {
+        match (self.exact, several) {
+            (true, false) => "exactly where",
+            (true, true) => "where",
+            (false, false) => "only where",
+            (false, true) => "perhaps where",
+        }
+    }
 }
 
 /// The conditions of a surface, if the budget suffices.
 pub(super) fn of(surface: &Homogeneous) -> Option<Conditions> {
-    budget::with_budget(LIMIT, || Conditions::of(surface)).ok()
+    budget::with_budget(Conditions::BUDGET, || Conditions::of(surface)).ok()
 }
 
 /// The conditions of the offset, if it has coordinates and the budget suffices.
@@ -38,15 +50,34 @@ pub(super) fn of_offset(offset: &Offset) -> Option<Conditions> {
         Offset::Rational(surface) => of(surface),
         Offset::SymbolicRadical { radicand, radical, surface } => {
             let mut conditions = of(surface)?;
-            // The root vanishes where its radicand does, which may be nowhere.
-            let radical = Locus::all(&[Poly::variable(radical)]);
-            if radical.covers(&conditions.weight) {
-                conditions.weight = Locus::of(std::slice::from_ref(radicand), &[]);
+            let root = Poly::variable(radical);
+            let loci = conditions.coordinates.iter_mut().flatten().chain(&mut conditions.patch);
+            let exceptions = conditions.common_factors.iter_mut().map(|common| &mut common.except);
+            for locus in loci.chain(exceptions).chain([&mut conditions.weight]) {
+                *locus = without_root(locus, &root, radicand);
             }
             Some(conditions)
         }
         _ => None,
     }
+}
+
+/// The locus where `root` is the square root of `radicand`: it vanishes where that does, which may be nowhere.
+fn without_root(locus: &Locus, root: &Poly, radicand: &Poly) -> Locus {
+    let zeros = Locus::of(std::slice::from_ref(radicand), &[]);
+    let mut result = Locus::empty();
+    for alternative in locus.alternatives() {
+        if !alternative.contains(root) {
+            result = result.union(&Locus::all(alternative));
+        } else if !zeros.alternatives().is_empty() {
+            let equations: Vec<Poly> = alternative
+                .iter()
+                .map(|equation| if equation == root { radicand.clone() } else { equation.clone() })
+                .collect();
+            result = result.union(&Locus::all(&equations));
+        }
+    }
+    result
 }
 
 /// The sentences; what happens only where there is no surface is left out.

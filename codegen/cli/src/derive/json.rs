@@ -3,11 +3,12 @@
 //! `conditions` lists where the symbols, which are real, change what is stated of degrees: `{"what", "where", "common_zero",
 //! "exact", "unless"}`. It happens (`what`) where the polynomials of `where` vanish together; entries with the same `what`
 //! are alternatives. For a common factor of W, X, Y, Z, `common_zero` is `{"parameter", "polynomials"}`: it exists where
-//! these polynomials have a common zero, real or complex, in the parameter; `where`, from which the parameter is
-//! eliminated, is `null` where that takes too much work. `exact` is false if it happens nowhere else but perhaps not
-//! everywhere there; where the polynomials of a list in `unless` vanish, it may not happen in any case. What happens only where
-//! W vanishes identically is left out. `conditions` is `null` if the budget does not suffice, and `[]` without symbols. The
-//! offset has its own, in which its distance is one more symbol.
+//! these polynomials have a common zero, real or complex, in the parameter, or, if it is a single polynomial, where X, Y and Z
+//! have a factor in common with this one; `where`, from which the parameter is eliminated, is `null` where that takes too
+//! much work. `exact` is false if it happens nowhere else but perhaps not everywhere there; where the polynomials of a list
+//! in `unless` vanish together, it may or may not happen. What happens only where W vanishes identically is left out.
+//! `conditions` is `null` if the budget does not suffice, and `[]` without symbols. The offset has its own, in which its
+//! distance is one more symbol.
 //!
 //! The square root of a polynomial in the symbols, in offsets, is a generator whose `approximation` is `null`.
 
@@ -227,10 +228,9 @@ fn pair(degree: Bidegree) -> [i64; 2] {
 
 /// `|N|²`, as a sum of squares where it is too large to be multiplied out.
 fn norm_squared(derivation: &Derivation) -> String {
-    match derivation.normal.squared_length().expanded() {
+    let squared = derivation.normal.squared_length();
+    match squared.expanded() {
         Some(square) => square.to_string(),
-        None => {
-            derivation.normal.numerator().each_ref().map(|component| format!("({component})^2")).join(" + ")
-        }
+        None => squared.sum_of_squares(),
     }
 }

@@ -5,7 +5,7 @@ use hodograph_codegen::emit::latex;
 use hodograph_codegen::language::ast::{ClauseKind, Item};
 
 use super::Derived;
-use super::conditions::{Alternative, statements};
+use super::conditions::{Alternative, UNDETERMINED, statements};
 use super::factors::Factors;
 
 /// How many characters of LaTeX stand on a line of a formula.
@@ -85,36 +85,49 @@ fn subsection(derived: &Derived<'_>) -> String {
 
 /// Where symbols change degrees: a sentence and its equations each.
 fn conditions(conditions: Option<&Conditions>, parameters: &[Variable; 2]) -> String {
-    let statements = conditions.map(|conditions| statements(conditions, parameters)).unwrap_or_default();
+    let Some(conditions) = conditions else {
+        return format!("The {UNDETERMINED}.\n");
+    };
     let mut text = String::new();
-    for statement in statements {
+    for statement in statements(conditions, parameters) {
+        let several = statement.alternatives.len() > 1;
         for (number, alternative) in statement.alternatives.iter().enumerate() {
             let what = if number == 0 { latex::text(&statement.what) } else { "or".to_owned() };
-            text += &format!("{what} {} where\n", if alternative.exact { "exactly" } else { "only" });
+            text += &format!("{what} {}\n", alternative.relation(several));
             text += &aligned(equations(alternative));
+            for (number, exception) in alternative.unless.alternatives().iter().enumerate() {
+                text += if number == 0 { "except perhaps where\n" } else { "or where\n" };
+                text += &aligned(exception.iter().map(|poly| equation(poly, " = 0")).collect());
+            }
         }
     }
     text
 }
 
 fn equations(alternative: &Alternative) -> Vec<(String, Vec<String>)> {
-    let line = |poly: &Poly, end: &str| {
-        let mut lines = broken(&latex::terms(poly));
-        if let Some(last) = lines.last_mut() {
-            last.push_str(end);
-        }
-        (String::new(), lines)
-    };
     match (&alternative.equations, &alternative.common_zero) {
-        (Some(equations), _) => equations.iter().map(|poly| line(poly, " = 0")).collect(),
+        (Some(equations), _) => equations.iter().map(|poly| equation(poly, " = 0")).collect(),
+        (None, Some((_, polynomials))) if polynomials.len() == 1 => {
+            let end = "\\quad\\text{has a factor in common with X, Y and Z}";
+            polynomials.iter().map(|poly| equation(poly, end)).collect()
+        }
         (None, Some((parameter, polynomials))) => {
-            let end = format!("\\quad\\text{{has a common zero in }}{}", latex::name(parameter.name()));
+            let end = format!("\\quad\\text{{have a common zero in }}{}", latex::name(parameter.name()));
             let last = polynomials.len().saturating_sub(1);
             let lines = polynomials.iter().enumerate();
-            lines.map(|(position, poly)| line(poly, if position == last { &end } else { "," })).collect()
+            lines.map(|(position, poly)| equation(poly, if position == last { &end } else { "," })).collect()
         }
         (None, None) => Vec::new(),
     }
+}
+
+/// The terms of a polynomial as lines without a left side, and what follows them.
+fn equation(poly: &Poly, end: &str) -> (String, Vec<String>) {
+    let mut lines = broken(&latex::terms(poly));
+    if let Some(last) = lines.last_mut() {
+        last.push_str(end);
+    }
+    (String::new(), lines)
 }
 
 /// The definitions of a sweep as pairs of a left side and the right side.

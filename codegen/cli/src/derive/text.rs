@@ -2,7 +2,7 @@
 
 use hodograph_algebra::{Bidegree, Conditions, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
 
-use super::conditions::{Alternative, statements};
+use super::conditions::{Alternative, UNDETERMINED, statements};
 use super::factors::Factors;
 use super::{APPROXIMATION_DIGITS, Derived, offset_reason};
 use crate::decimal::significant;
@@ -224,7 +224,7 @@ fn offset(page: &mut Page, derived: &Derived<'_>) {
 /// Where the degrees are other ones, a sentence a line.
 fn conditions(page: &mut Page, conditions: Option<&Conditions>, parameters: &[Variable; 2]) {
     let Some(conditions) = conditions else {
-        page.item("", "the conditions on the symbols are not determined within the budget");
+        page.item("the ", UNDETERMINED);
         return;
     };
     let statements = statements(conditions, parameters);
@@ -235,13 +235,8 @@ fn conditions(page: &mut Page, conditions: Option<&Conditions>, parameters: &[Va
         let several = statement.alternatives.len() > 1;
         for (number, alternative) in statement.alternatives.iter().enumerate() {
             let what = if number == 0 { statement.what.as_str() } else { "or" };
-            let exactly = match (alternative.exact, several) {
-                (false, _) => "only where",
-                (true, false) => "exactly where",
-                (true, true) => "where",
-            };
             let text = alternative_text(page, alternative);
-            page.item("", &format!("{what} {exactly} {text}"));
+            page.item("", &format!("{what} {} {text}", alternative.relation(several)));
         }
     }
 }
@@ -262,7 +257,7 @@ fn alternative_text(page: &mut Page, alternative: &Alternative) -> String {
     };
     if !alternative.unless.is_empty() {
         let unless = alternative.unless.alternatives().iter().map(|all| together(page, all));
-        text += &format!(", unless {}", unless.collect::<Vec<_>>().join(" or "));
+        text += &format!(", except perhaps where {}", unless.collect::<Vec<_>>().join(" or "));
     }
     text
 }

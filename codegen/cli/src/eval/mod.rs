@@ -6,7 +6,7 @@ mod quantity;
 use std::process::ExitCode;
 
 use hodograph_algebra::{Poly, SweptSurface, Variable, budget};
-use hodograph_codegen::language::closest;
+use hodograph_codegen::language::{Diagnostic, closest};
 use hodograph_codegen::meaning::{Model, number};
 use serde::Serialize;
 
@@ -54,7 +54,14 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     note_outside(surface, &parameters);
 
     let computed = budget::with_budget(budget::DEFAULT_LIMIT, || {
-        let place = Place::new(surface, &values, &parameters)?;
+        // The formula is evaluated anew: a parametric speed |s'|, for one, depends on the values.
+        let set = model.with_values(&values).map_err(|mistake| {
+            let message = format!("with these values of the symbols: {}", mistake.message);
+            let told = Diagnostic::new(mistake.span, message).help("set other values");
+            Failure::at(&document.source, told)
+        })?;
+        let surface = set.surface.as_deref().unwrap_or(surface);
+        let place = Place::new(surface, &parameters);
         let numbers = quantity::evaluate(&place, arguments.what, distance.as_ref())?;
         let decimal: Vec<String> =
             numbers.iter().map(|number| significant(number, arguments.digits)).collect();

@@ -7,7 +7,7 @@ use hodograph_algebra::{Fraction, Poly, SweptSurface, Variable, Vector};
 use crate::failure::Failure;
 use crate::radical;
 
-/// A surface whose symbols have values, and a point of its parameter plane.
+/// A surface without symbols, and a point of its parameter plane.
 pub(super) struct Place {
     surface: SweptSurface,
     cartesian: Vector,
@@ -16,21 +16,14 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The place of the surface with these values of the symbols and parameters.
-    ///
-    /// # Errors
-    /// Values of the symbols for which there is no surface.
-    pub(super) fn new(
-        surface: &SweptSurface,
-        symbols: &BTreeMap<Variable, Poly>,
-        parameters: &[Poly; 2],
-    ) -> Result<Place, Failure> {
-        let surface = if symbols.is_empty() { surface.clone() } else { specialized(surface, symbols)? };
+    /// The place of a surface without symbols with these values of the parameters.
+    pub(super) fn new(surface: &SweptSurface, parameters: &[Poly; 2]) -> Place {
+        let surface = surface.clone();
         let names = surface.parameters().iter().cloned();
         let values: BTreeMap<Variable, Poly> = names.zip(parameters.iter().cloned()).collect();
         let fractions = values.iter().map(|(name, value)| (name.clone(), value.clone().into())).collect();
         let cartesian = surface.homogeneous().cartesian();
-        Ok(Place { surface, cartesian, values, fractions })
+        Place { surface, cartesian, values, fractions }
     }
 
     /// Checks that the surface has a point here.
@@ -98,16 +91,4 @@ impl Place {
             |(name, value): (&Variable, &Poly)| format!("{name} = {}", radical::written_one(value));
         self.values.iter().map(equation).collect::<Vec<_>>().join(", ")
     }
-}
-
-fn specialized(surface: &SweptSurface, symbols: &BTreeMap<Variable, Poly>) -> Result<SweptSurface, Failure> {
-    let values =
-        symbols.iter().map(|(symbol, value)| (symbol.clone(), Fraction::from(value.clone()))).collect();
-    let components: Option<Vec<Fraction>> =
-        surface.position().components().iter().map(|component| component.substitute(&values)).collect();
-    let position = components.and_then(|components| <[Fraction; 3]>::try_from(components).ok());
-    let [x, y, z] = position.ok_or_else(|| {
-        Failure::new("with these values of the symbols the formula divides by zero").help("set other values")
-    })?;
-    Ok(SweptSurface::new(Vector::new(x, y, z), surface.parameters().clone(), surface.domain().clone()))
 }
