@@ -217,6 +217,9 @@ fn roots_of_symbols_are_constants() {
             claim "5": not is_rational(sqrt(1 + (slope*u)^2));
             claim "6": is_rational(sqrt(1 + u^2)), expect refuted;
             claim "7": is_rational(sqrt(c^3/(1 + u)^2));
+            claim "8": is_rational(sqrt(-1 - c^2));
+            claim "9": is_rational(sqrt(c)), when c < 0;
+            claim "10": is_rational(sqrt(c)), when c == 4;
         }"#,
         &[
             (Verdict::Proved, "all c", "-"),
@@ -226,6 +229,9 @@ fn roots_of_symbols_are_constants() {
             (Verdict::Proved, "general slope", GENERAL),
             (Verdict::Refuted, "general c, d, slope", "-"),
             (Verdict::Proved, "all c", "c >= 0"),
+            (Verdict::Undecided, "all c", "-"),
+            (Verdict::Undecided, "all c", "c < 0"),
+            (Verdict::Proved, "all c, d, slope", "c == 4"),
         ],
     );
 }
@@ -328,4 +334,84 @@ fn witnesses_satisfy_the_conditions() {
         let begins = found.unwrap_or("").starts_with(witness.unwrap_or(""));
         assert!(begins, "{statement}: {found:?}");
     }
+}
+
+#[test]
+fn names_have_the_conditions_of_their_definitions() {
+    told(
+        r#"sweep saddle {
+            symbol c, r;
+            surface R = (u, v, u*v);
+            let O = offset(R, r);
+            let g = degree(c*u, c*v);
+            let h = gcd(u - c, u*v);
+            domain u in 0..1, v in 0..1;
+            claim "1": is_rational(O), when r == 0;
+            claim "2": not is_rational(O);
+            claim "3": g == (1, 1);
+            claim "4": degree(R) <= degree(c*u*v);
+            claim "5": positive(h);
+        }"#,
+        &[
+            (Verdict::Proved, "the sweep saddle", "r == 0"),
+            (Verdict::Proved, "general r", "r != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+            (Verdict::Proved, "general c", "c != 0"),
+        ],
+    );
+}
+
+#[test]
+fn sides_that_depend_on_symbols_are_conditions() {
+    let text = "sweep sheet {
+        symbol c, r;
+        surface R = u*i + c*v*j;
+        domain u in 0..1, v in 0..1;
+        let N = normal(R);
+        claim \"side\": N == k;
+        claim \"side\": offset(R, r) == (u, c*v, r);
+        claim \"other\": offset(R, r) == (u, -v, -r), when c == -1;
+        claim \"none\": parallel(normal(R), k);
+    }";
+    let (file, _source) = parse_text("sheet.sweep", text).unwrap();
+    let (models, mistakes) = models(&file);
+    assert!(mistakes.is_empty());
+    let judged: Vec<_> =
+        models[0].claims.iter().map(|claim| models[0].check(claim, DEFAULT_LIMIT).unwrap()).collect();
+    assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Proved));
+    let conditions: Vec<Option<&str>> =
+        judged.iter().map(|judgement| judgement.condition.as_deref()).collect();
+    assert_eq!(conditions[0], Some("c > 0"));
+    assert!(conditions[1].is_some_and(|condition| condition.contains("c > 0")));
+    assert_eq!(conditions[2], Some("c == -1"));
+    assert_eq!(conditions[3], None);
+}
+
+#[test]
+fn values_of_symbols_are_put_into_the_formulas() {
+    // |s'| = 5|c|, so the normal turns over with c; a definition is evaluated anew, not substituted in.
+    let text = "sweep line {
+        symbol c;
+        curve l(v) = c*v*(3, 4);
+        surface R = l + u*l.normal + u^2*k;
+        domain u in 0..1, v in 0..1;
+        let n = degree(Z);
+        let g(v) = gcd(v - c, v - 1);
+        claim \"x\": R(1, 0) == (-4/5, 3/5, 1), when c == -1;
+        claim \"y\": R(1, 0) == (4/5, -3/5, 1), when c == 2;
+        claim \"g\": g == v - 1, when c == 1;
+        claim \"n\": degree(Z) == n, when c == 3;
+    }";
+    let (file, _source) = parse_text("line.sweep", text).unwrap();
+    let (models, mistakes) = models(&file);
+    assert!(mistakes.is_empty());
+    for claim in &models[0].claims {
+        let judgement = models[0].check(claim, DEFAULT_LIMIT).unwrap();
+        assert_eq!(judgement.verdict, Verdict::Proved, "{}: {}", judgement.statement, judgement.derived);
+    }
+    let symbol = hodograph_algebra::Variable::new(hodograph_algebra::Variable::SYMBOL, "c");
+    let point = [(symbol.clone(), hodograph_algebra::Poly::zero())].into();
+    let mistake = models[0].with_values(&point).unwrap_err();
+    assert!(mistake.message.contains("point"), "{}", mistake.message);
 }

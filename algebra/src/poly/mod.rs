@@ -310,7 +310,7 @@ impl Poly {
         i == a.len()
     }
 
-    /// Whether both polynomials, which are not zero, have the same degrees and the same number of monomials in the variables.
+    /// Whether nonzero polynomials have the same degrees, and as many monomials in the variables.
     fn same_shape(&self, other: &Poly) -> bool {
         let mut variables = self.ring.variables().iter().chain(other.ring.variables());
         variables.all(|variable| self.degree(variable) == other.degree(variable))

@@ -406,7 +406,10 @@ mod tests {
         }
 
         #[test]
-        fn words_are_put_in_descending_order(words in prop::collection::btree_set(0_u128..1000, 0..100), turn in 0_usize..100) {
+        fn words_are_put_in_descending_order(
+            words in prop::collection::btree_set(0_u128..1000, 0..100),
+            turn in 0_usize..100,
+        ) {
             let mut words: Vec<u128> = words.into_iter().rev().collect();
             let turn = turn % words.len().max(1);
             words.rotate_left(turn);

@@ -55,7 +55,8 @@ pub(crate) enum Quotient {
 
 /// The remainder of a division by several polynomials in the lexicographic order of monomials.
 pub(crate) fn remainder(poly: &Poly, divisors: &[Poly], by: Quotient) -> Poly {
-    let joint = divisors.iter().fold(poly.clone(), |joint, divisor| Poly::unify(&joint, divisor).0.into_owned());
+    let joint =
+        divisors.iter().fold(poly.clone(), |joint, divisor| Poly::unify(&joint, divisor).0.into_owned());
     let ring = joint.ring().clone();
     let divisors = divisors.iter().map(|divisor| Poly::unify(&joint, divisor).1.into_owned());
     let divisors: Vec<(Poly, Monomial)> = divisors

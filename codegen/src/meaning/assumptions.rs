@@ -25,6 +25,7 @@ pub(super) struct Assumptions {
 }
 
 /// An inequality: which signs a function of the symbols may have.
+#[derive(Clone)]
 struct Inequality {
     function: Fraction,
     operator: RelationOperator,
@@ -83,6 +84,14 @@ impl Assumptions {
             (inequality.function == function && !inequality.allows(Ordering::Less))
                 || (inequality.function == opposite && !inequality.allows(Ordering::Greater))
         })
+    }
+
+    /// The same with one more: that a polynomial in symbols is not negative.
+    pub(super) fn with_nonnegative(&self, poly: &Poly) -> Assumptions {
+        let function = Fraction::from(poly.clone());
+        let more = Inequality { function, operator: RelationOperator::GreaterEqual, negated: false };
+        let inequalities = self.inequalities.iter().cloned().chain([more]).collect();
+        Assumptions { scope: self.scope.clone(), inequalities, samples: OnceCell::new() }
     }
 
     /// Some values that satisfy the inequalities; one point without coordinates if there are no inequalities.

@@ -152,7 +152,12 @@ pub(super) fn unknowns(scope: &Scope, expr: &Expr) -> BTreeSet<Variable> {
         // The names of functions of the language have no value.
         ExprKind::Ident(name) => {
             if let Ok(value) = scope.value(name, expr.span()) {
-                unknowns.extend(of_value(scope, &value));
+                match (value.bare(), definition(scope, name)) {
+                    (Value::Offset(offset), Some(definition)) if offset.is_err() => {
+                        unknowns.extend(self::unknowns(scope, definition));
+                    }
+                    _ => unknowns.extend(of_value(scope, &value)),
+                }
             }
         }
         _ => expr.children().for_each(|child| unknowns.extend(self::unknowns(scope, child))),
@@ -365,7 +370,7 @@ impl Exceptions {
 
     /// Where what is not rational in general may become so.
     fn of_rational(&mut self, scope: &Scope, expr: &Expr) -> Result<(), Fault> {
-        if let Some(("offset", [surface, distance])) = called(expr) {
+        if let Some(("offset", [surface, distance])) = called(resolved(scope, expr)) {
             // The offset at the distance zero is the surface itself.
             let distance = scope.scalar(&distance.value, "the distance of an offset")?;
             self.add(&Locus::of(&[distance.lowest_terms().numerator().clone()], &[]));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use hodograph_algebra::{Variable, budget};
+use hodograph_algebra::{BoxSign, Interval, Variable, budget};
 
 use super::assumptions::Assumptions;
 use super::expression::shortened;
@@ -11,7 +11,7 @@ use super::generic;
 use super::item::{Model, check_names};
 use super::relation::{self, Finding};
 use super::scope::Scope;
-use crate::language::ast::{Claim, Expr, ExprKind, ItemKind, Verdict};
+use crate::language::ast::{Claim, ClauseKind, Expr, ExprKind, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 
 /// What became of one claim.
@@ -94,7 +94,11 @@ impl Model {
         };
         let mut conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
         conditions.extend(finding.conditions.iter().cloned());
-        conditions.extend(self.speed_conditions(&claim.relation));
+        let scope = assumptions.as_ref().map_or(&self.scope, |assumptions| &assumptions.scope);
+        conditions.extend(self.speed_conditions(scope, &claim.relation));
+        if with_exceptions {
+            conditions.extend(side_condition(scope, &claim.relation));
+        }
         if let (Some(assumptions), true) = (assumptions, with_exceptions)
             && finding.verdict != Verdict::Undecided
             && !assumptions.scope.symbols.is_empty()
@@ -125,8 +129,9 @@ impl Model {
     }
 
     /// What must be positive for the curves that a relation is about to have the parametric speed that was used.
-    fn speed_conditions(&self, relation: &Expr) -> Vec<String> {
-        let curves = self.curves();
+    fn speed_conditions(&self, scope: &Scope, relation: &Expr) -> Vec<String> {
+        let mut curves = scope.curves();
+        curves.sort_by_key(|(name, _)| (Some(*name) != self.path.as_deref(), *name));
         let mut names = Vec::new();
         identifiers(relation, &mut names);
         // Any other name that was defined may be about all of them.
@@ -173,6 +178,49 @@ impl Model {
             (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }
+}
+
+/// What must be positive for the unit normal of the surface to be on the side that was taken, if values of symbols decide on
+/// that and the relation is about sides.
+fn side_condition(scope: &Scope, relation: &Expr) -> Option<String> {
+    let surface = scope.surface.as_ref().filter(|surface| !surface.symbols().is_empty())?;
+    if !is_about_sides(scope, relation, 64) {
+        return None;
+    }
+    let region: Vec<(Variable, Interval)> =
+        surface.parameters().iter().cloned().zip(surface.domain().iter().cloned()).collect();
+    let decide = || {
+        let orientation = surface.normal().ok()?.orientation();
+        let symbolic =
+            orientation.occurring_variables().iter().any(|variable| scope.symbols.contains(variable));
+        let certain = !symbolic || matches!(orientation.sign_on(&region), Some(BoxSign::Positive));
+        (!certain).then(|| format!("{} > 0", shortened(&orientation.to_string())))
+    };
+    budget::with_budget(budget::DEFAULT_LIMIT, decide).ok().flatten()
+}
+
+/// Whether an expression contains a normal or an offset of a surface as a vector, also by the name of a definition.
+fn is_about_sides(scope: &Scope, expr: &Expr, depth: usize) -> bool {
+    let Some(depth) = depth.checked_sub(1) else { return false };
+    let name = match expr.kind() {
+        ExprKind::Call { callee, .. } => match callee.kind() {
+            ExprKind::Ident(name) if matches!(name.as_str(), "normal" | "offset") => return true,
+            // These do not depend on the side.
+            ExprKind::Ident(name) if matches!(name.as_str(), "degree" | "is_rational" | "parallel") => {
+                return false;
+            }
+            _ => None,
+        },
+        ExprKind::Ident(name) => Some(name),
+        _ => None,
+    };
+    let clauses = scope.item.iter().flat_map(|item| &item.clauses);
+    let mut definitions = clauses.filter_map(|clause| match &clause.kind {
+        ClauseKind::Let(definition) if Some(&definition.name.value) == name => Some(&definition.value),
+        _ => None,
+    });
+    definitions.any(|value| is_about_sides(scope, value, depth))
+        || expr.children().any(|child| is_about_sides(scope, child, depth))
 }
 
 /// The names in an expression.

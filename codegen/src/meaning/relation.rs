@@ -353,6 +353,11 @@ fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault>
         }
         Err(fault) => match functions::symbolic_root(scope, expr)? {
             // Over the real numbers a function of the symbols is a constant.
+            Some(radicand) if assumptions.with_nonnegative(&radicand).samples().points.is_empty() => {
+                let text =
+                    format!("no values of the symbols were found for which {radicand} is not negative");
+                Ok(Finding::undecided(text).about_variables(unknowns()))
+            }
             Some(radicand) => {
                 let text =
                     format!("it contains the square root of {radicand}, which depends on the symbols alone");

@@ -169,7 +169,7 @@ impl Product {
     }
 }
 
-/// Whether Σ terms' − Σ found is zero, where `of` gives the fraction of a factor and `slope` the derivative of a polynomial.
+/// Whether Σ terms' − Σ found is zero: `of` gives the fraction of a factor, `slope` the derivative of a polynomial.
 fn difference_is_zero(
     [terms, found]: &[Vec<Product>; 2],
     arithmetic: &Fractions,
