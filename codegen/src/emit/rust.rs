@@ -68,6 +68,7 @@ fn items(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
             clippy::float_cmp,
             clippy::many_single_char_names,
             clippy::missing_const_for_fn,
+            clippy::possible_missing_comma,
             clippy::similar_names,
             clippy::suboptimal_flops,
             clippy::trivially_copy_pass_by_ref,

@@ -151,9 +151,11 @@ fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
         });
         match result {
             Ok((parameter, interval)) => _ = scope.domains.insert(parameter, interval),
-            Err(fault) => {
-                faults.push(fault.help("the ends of a domain are numbers that are written out, `0..1`"))
+            // Domains come first, so no definition is known yet.
+            Err(fault) if fault.diagnostic.message.ends_with("is not defined") => {
+                faults.push(fault.help("the ends of a domain are numbers that are written out, `0..1`"));
             }
+            Err(fault) => faults.push(fault),
         }
     }
     for clause in &item.clauses {
