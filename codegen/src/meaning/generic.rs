@@ -231,6 +231,21 @@ impl Exceptions {
         self.locus = self.locus.union(locus);
     }
 
+    /// The exceptions of homogeneous coordinates; several claims are about the same ones, so they are kept.
+    fn of_homogeneous(&mut self, scope: &Scope, homogeneous: &Homogeneous) {
+        let known = scope.conditions.borrow().iter().find(|(other, _)| other == homogeneous).cloned();
+        let conditions = known.map(|(_, conditions)| conditions).unwrap_or_else(|| {
+            let found = budget::with_budget(Conditions::BUDGET, || Conditions::of(homogeneous));
+            let found = found.ok().map(Rc::new);
+            scope.conditions.borrow_mut().push((homogeneous.clone(), found.clone()));
+            found
+        });
+        match conditions {
+            Some(conditions) => self.of_surface(&conditions),
+            None => self.in_general(),
+        }
+    }
+
     /// Where the polynomials of `degree(…)` have a lower degree.
     fn of_degree(&mut self, scope: &Scope, arguments: &[Argument]) -> Result<(), Fault> {
         let by = arguments.iter().find(|argument| argument.name.is_some());
@@ -253,7 +268,7 @@ impl Exceptions {
             }
             let homogeneous = match surface(scope, expr) {
                 Some(surface) => {
-                    self.of_surface(surface.conditions());
+                    self.of_homogeneous(scope, surface.homogeneous());
                     surface.homogeneous().clone()
                 }
                 None => {
@@ -262,7 +277,7 @@ impl Exceptions {
                         continue;
                     };
                     let homogeneous = Homogeneous::of(&vector, &surface_parameters(scope));
-                    self.of_surface(&Conditions::of(&homogeneous));
+                    self.of_homogeneous(scope, &homogeneous);
                     homogeneous
                 }
             };
@@ -389,7 +404,7 @@ impl Exceptions {
             Some(("gcd", arguments)) => return self.of_coprime(scope, arguments),
             Some(("homogeneous", [argument])) => {
                 if let Some(surface) = surface(scope, &argument.value) {
-                    self.of_surface(surface.conditions());
+                    self.of_homogeneous(scope, surface.homogeneous());
                     return Ok(());
                 }
                 let vector = scope.evaluate(&argument.value)?.vector();
@@ -403,7 +418,7 @@ impl Exceptions {
                             .any(is_unknown) =>
                     {
                         let homogeneous = Homogeneous::of(&vector, &surface_parameters(scope));
-                        self.of_surface(&Conditions::of(&homogeneous));
+                        self.of_homogeneous(scope, &homogeneous);
                     }
                     _ => self.in_general(),
                 }

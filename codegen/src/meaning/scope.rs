@@ -4,7 +4,9 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use hodograph_algebra::{Calculus, Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector};
+use hodograph_algebra::{
+    Calculus, Conditions, Curve, Fraction, Homogeneous, Interval, Poly, SweptSurface, Variable, Vector,
+};
 
 use super::fault::Fault;
 use super::group::CoefficientGroup;
@@ -52,6 +54,9 @@ const PLANNED: &[&str] = &["ph_spatial", "quat"];
 /// Names that always have a value, which cannot be redefined.
 const CONSTANTS: &[&str] = &["I", "i", "j", "k", "pi"];
 
+/// Homogeneous coordinates with their conditions.
+type KnownConditions = (Homogeneous, Option<Rc<Conditions>>);
+
 /// What a clause introduces besides its own name.
 #[derive(Clone, Debug, Default)]
 struct News {
@@ -81,6 +86,8 @@ pub(super) struct Scope {
     news: RefCell<News>,
     /// Whether the item has a surface, be it further down.
     pub(super) has_surface: bool,
+    /// The conditions of homogeneous coordinates that have been asked for; `None` where the budget did not suffice.
+    pub(super) conditions: Rc<RefCell<Vec<KnownConditions>>>,
     /// The item that it belongs to.
     pub(super) item: Option<Rc<Item>>,
     /// Symbols that have values, which may contain other symbols.
@@ -103,6 +110,7 @@ impl Scope {
             curve: None,
             news: RefCell::default(),
             has_surface: false,
+            conditions: Rc::default(),
             item: None,
             settings: BTreeMap::new(),
             surface: None,
