@@ -547,13 +547,13 @@ fn curves_in_any_plane() {
 fn families_compile_whose_named_polynomials_have_further_symbols() {
     // The path's position has symbols that do not occur in every polynomial of the surface.
     let sweeps = [
-        "symbol c; profile p(u) = (c + u)*i + u^2*k; path s(v) = ph(3);",
-        "profile p(u) = rational_curve(2); path s(v) = ph(3);",
-        "symbol c, d; profile p(u) = c*(1 - u^2)/(1 + u^2)*i + d*2*u/(1 + u^2)*k; path s(v) = ph([1, 1 + I]);",
+        "symbol c; profile p(u) = (c + u)*i + u^2*k; path s(v) = ph(3); let z(u) = p.z;",
+        "profile p(u) = rational_curve(2); path s(v) = ph(5); let z(u) = p.y;",
+        "symbol c, d; profile p(u) = c*(1 - u^2)/(1 + u^2)*i + d*2*u/(1 + u^2)*k; path s(v) = ph([1, 1 + I]); let z(u) = p.z;",
     ];
-    for (sweep, weight) in sweeps.into_iter().zip([(0, 2), (2, 2), (2, 2)]) {
+    for (sweep, weight) in sweeps.into_iter().zip([(0, 2), (2, 4), (2, 2)]) {
         let text = format!(
-            "sweep family {{ {sweep} surface R = s + p.x*s.normal + u*k; domain u in 0..1, v in 0..1; }}"
+            "sweep family {{ {sweep} surface R = s + p.x*s.normal + z*k; domain u in 0..1, v in 0..1; }}"
         );
         let (file, _source) = hodograph_codegen::language::parse_text("family.sweep", &text).unwrap();
         let (models, mistakes) = hodograph_codegen::meaning::models(&file);
