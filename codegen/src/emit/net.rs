@@ -60,6 +60,16 @@ enum Form {
     Polynomial(Ident, usize),
 }
 
+impl Form {
+    /// The Bernstein coefficients and the degree.
+    fn coefficients(self) -> (TokenStream, usize) {
+        match self {
+            Form::Number(number) => (quote! { [#number] }, 0),
+            Form::Polynomial(name, degree) => (name.to_token_stream(), degree),
+        }
+    }
+}
+
 struct Writer<'a> {
     code: &'a Code<'a>,
     statements: TokenStream,
@@ -77,13 +87,12 @@ impl<'a> Writer<'a> {
         let mut negative = term.negative;
         let mut numbers = Vec::new();
         for &value in &term.numbers {
-            numbers.push(match (self.code.program.operation(value), self.value(value)) {
-                (Operation::Constant(constant), _) => {
+            numbers.push(match self.code.program.operation(value) {
+                Operation::Constant(constant) => {
                     negative ^= constant.is_sign_negative();
                     literal(constant.abs())
                 }
-                (_, Form::Number(number)) => number,
-                (_, Form::Polynomial(..)) => unreachable!("numbers depend on no parameter"),
+                _ => self.number(value),
             });
         }
         let sign = negative.then(|| quote! { - });
@@ -96,20 +105,20 @@ impl<'a> Writer<'a> {
     fn elevated(&mut self, factors: &[Value], degree: usize) -> TokenStream {
         let runtime = self.code.runtime;
         let length = Literal::usize_unsuffixed(degree + 1);
-        let mut product: Option<(Ident, usize)> = None;
+        let mut product: Option<(TokenStream, usize)> = None;
         for &factor in factors {
-            let Form::Polynomial(name, own) = self.value(factor) else { unreachable!("it has a parameter") };
+            let (name, own) = self.value(factor).coefficients();
             product = Some(match product {
                 None => (name, own),
                 Some((other, sum)) => {
                     let code = quote! { #runtime::bernstein::product(&#other, &#name) };
-                    (self.temporary(sum + own, &code), sum + own)
+                    (self.temporary(sum + own, &code).to_token_stream(), sum + own)
                 }
             });
         }
         match product {
             None => quote! { [1.0; #length] },
-            Some((name, own)) if own == degree => name.to_token_stream(),
+            Some((name, own)) if own == degree => name,
             Some((name, _)) => {
                 let code = quote! { #runtime::bernstein::elevated(&#name) };
                 self.temporary(degree, &code).to_token_stream()
@@ -140,43 +149,27 @@ impl<'a> Writer<'a> {
     }
 
     fn new_value(&mut self, value: Value) -> Form {
-        use Form::{Number, Polynomial};
         let (program, runtime) = (self.code.program, self.code.runtime);
         if program.stage(value) <= Stage::Symbols {
-            return Number(self.code.body(&[value]).results.into_iter().collect());
+            return Form::Number(self.number(value));
         }
         let (degree, code) = match *program.operation(value) {
             Operation::Input(Input::U) => (1, quote! { Self::DOMAIN.u }),
             Operation::Input(_) => (1, quote! { Self::DOMAIN.v }),
-            Operation::Negate(a) => match self.value(a) {
-                Polynomial(a, degree) => (degree, quote! { #runtime::bernstein::scaled(&#a, -1.0) }),
-                Number(_) => unreachable!("it has a parameter"),
-            },
-            Operation::Add(a, b) => match (self.value(a), self.value(b)) {
-                (Polynomial(a, m), Polynomial(b, n)) => {
-                    (m.max(n), quote! { #runtime::bernstein::sum(&#a, &#b, 1.0) })
-                }
-                (Polynomial(a, m), Number(b)) | (Number(b), Polynomial(a, m)) => {
-                    (m, quote! { #runtime::bernstein::sum(&#a, &[#b], 1.0) })
-                }
-                (Number(_), Number(_)) => unreachable!("it has a parameter"),
-            },
-            Operation::Subtract(a, b) => match (self.value(a), self.value(b)) {
-                (Polynomial(a, m), Polynomial(b, n)) => {
-                    (m.max(n), quote! { #runtime::bernstein::sum(&#a, &#b, -1.0) })
-                }
-                (Polynomial(a, m), Number(b)) => (m, quote! { #runtime::bernstein::sum(&#a, &[#b], -1.0) }),
-                (Number(a), Polynomial(b, n)) => (n, quote! { #runtime::bernstein::sum(&[#a], &#b, -1.0) }),
-                (Number(_), Number(_)) => unreachable!("it has a parameter"),
-            },
+            Operation::Negate(a) => {
+                let (a, degree) = self.value(a).coefficients();
+                (degree, quote! { #runtime::bernstein::scaled(&#a, -1.0) })
+            }
+            Operation::Add(a, b) => self.sum(a, b, &quote! { 1.0 }),
+            Operation::Subtract(a, b) => self.sum(a, b, &quote! { -1.0 }),
             Operation::Multiply(a, b) => match (self.value(a), self.value(b)) {
-                (Polynomial(a, m), Polynomial(b, n)) => {
+                (Form::Number(factor), other) | (other, Form::Number(factor)) => {
+                    let (other, degree) = other.coefficients();
+                    (degree, quote! { #runtime::bernstein::scaled(&#other, #factor) })
+                }
+                (Form::Polynomial(a, m), Form::Polynomial(b, n)) => {
                     (m + n, quote! { #runtime::bernstein::product(&#a, &#b) })
                 }
-                (Polynomial(a, m), Number(b)) | (Number(b), Polynomial(a, m)) => {
-                    (m, quote! { #runtime::bernstein::scaled(&#a, #b) })
-                }
-                (Number(_), Number(_)) => unreachable!("it has a parameter"),
             },
             Operation::Constant(_) | Operation::Divide(..) | Operation::SquareRoot(_) => {
                 unreachable!("homogeneous coordinates and conditions are polynomials")
@@ -184,6 +177,22 @@ impl<'a> Writer<'a> {
         };
         let name = Ident::new(&format!("b{}", value.index()), Span::call_site());
         self.bind(&name, degree, &code);
-        Polynomial(name, degree)
+        Form::Polynomial(name, degree)
+    }
+
+    /// The degree and the code of a + `sign`·b; a number comes last where that is all the same.
+    fn sum(&mut self, a: Value, b: Value, sign: &TokenStream) -> (usize, TokenStream) {
+        let runtime = self.code.runtime;
+        let (mut first, mut second) = (self.value(a), self.value(b));
+        if matches!(first, Form::Number(_)) && sign.to_string() == "1.0" {
+            std::mem::swap(&mut first, &mut second);
+        }
+        let ((a, m), (b, n)) = (first.coefficients(), second.coefficients());
+        (m.max(n), quote! { #runtime::bernstein::sum(&#a, &#b, #sign) })
+    }
+
+    /// A value that depends on no parameter.
+    fn number(&self, value: Value) -> TokenStream {
+        self.code.body(&[value]).results.into_iter().collect()
     }
 }
