@@ -43,12 +43,12 @@ pub fn built() -> &'static Built {
     static BUILT: OnceLock<Built> = OnceLock::new();
     BUILT.get_or_init(|| {
         let mut cargo = Command::new(env!("CARGO"));
-        // With examples the features of all packages are those of `cargo test`, so that only the command is compiled.
+        // With examples and the profile of tests, features and settings of all packages are those of `cargo test`, so that only
+        // the command is compiled.
         cargo.args(["build", "--offline", "--message-format", "json", "--workspace", "--bins", "--examples"]);
+        let profile = if profile_folder().ends_with("debug") { "test" } else { "release" };
+        cargo.args(["--profile", profile]);
         cargo.current_dir(env!("CARGO_MANIFEST_DIR")).env("CARGO_TARGET_DIR", target_folder());
-        if !profile_folder().ends_with("debug") {
-            cargo.arg("--release");
-        }
         let output = cargo.output().unwrap_or_else(|error| panic!("cargo: {error}"));
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let messages: Vec<Value> = String::from_utf8_lossy(&output.stdout)
