@@ -5,6 +5,7 @@ use std::ops::Neg;
 
 use num_traits::{One, Zero};
 
+use super::product::product;
 use super::{Poly, terms};
 use crate::operators::binary_operator;
 use crate::{Int, Rational, budget, rational_gcd};
@@ -104,7 +105,7 @@ impl Poly {
             return self.scale(&factor);
         }
         let (a, b) = Poly::unify(self, other);
-        let terms = terms::product(&a.ring, &a.terms, &b.terms);
+        let terms = product(&a.ring, &a.terms, &b.terms);
         let content = &a.content * &b.content;
         if a.ring.field().generators().is_empty() {
             // The product of primitive integer polynomials is primitive (Gauss's lemma).

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
-use super::ring::{Monomial, Ring};
+use super::ring::{Monomial, Ring, Variable};
 use super::{Poly, Term, quotient};
 use crate::modular::heap::{NextProduct, ProductHeap};
 use crate::{Int, Rational, budget};
@@ -66,10 +66,11 @@ impl Poly {
                 return false;
             }
         }
-        divisor.ring.variables().iter().enumerate().all(|(position, variable)| {
-            let degree = divisor.degree_at(position);
-            degree == 0 || self.ring.position(variable).is_some_and(|own| self.degree_at(own) >= degree)
-        })
+        let own = self.degrees();
+        let at_least = |(variable, degree): (&Variable, u32)| {
+            degree == 0 || self.ring.position(variable).is_some_and(|position| own[position] >= degree)
+        };
+        divisor.ring.variables().iter().zip(divisor.degrees()).all(at_least)
     }
 
     /// Whether `self` divides `other`; zero divides only zero.
@@ -199,7 +200,7 @@ impl Poly {
 
 /// The degrees of `a/b` in each variable, unless one would be negative.
 fn quotient_degrees(a: &Poly, b: &Poly) -> Option<Vec<u32>> {
-    (0..a.ring.variables().len()).map(|i| a.degree_at(i).checked_sub(b.degree_at(i))).collect()
+    a.degrees().into_iter().zip(b.degrees()).map(|(a, b)| a.checked_sub(b)).collect()
 }
 
 fn within(ring: &Ring, monomial: Monomial, bounds: &[u32]) -> bool {

@@ -6,6 +6,7 @@ pub(crate) mod division;
 pub(crate) mod gcd;
 pub(crate) mod images;
 pub(crate) mod perfect_square;
+pub(crate) mod product;
 pub(crate) mod quotient;
 pub(crate) mod reduction;
 pub(crate) mod resultant;
@@ -226,18 +227,14 @@ impl Poly {
         if self.is_zero() {
             return None;
         }
-        Some(self.ring.position(variable).map_or(0, |position| self.degree_at(position)))
-    }
-
-    /// The degree in the variable at `position` of the ring; 0 for the zero polynomial.
-    pub(crate) fn degree_at(&self, position: usize) -> u32 {
-        let most = terms::largest(&self.terms, self.ring.exponent_mask(position));
-        self.ring.exponent(Monomial(most), position)
+        let degree =
+            |position| self.ring.exponent(Monomial(terms::maximum(&self.ring, &self.terms)), position);
+        Some(self.ring.position(variable).map_or(0, degree))
     }
 
     /// The degrees in all variables of the ring.
     pub(crate) fn degrees(&self) -> Vec<u32> {
-        (0..self.ring.variables().len()).map(|position| self.degree_at(position)).collect()
+        self.ring.exponents(Monomial(terms::maximum(&self.ring, &self.terms)))
     }
 
     /// Whether `variable` occurs.

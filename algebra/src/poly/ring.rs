@@ -223,6 +223,14 @@ impl Ring {
         }
     }
 
+    /// The larger exponent of each variable and generator, of words without excess.
+    pub(crate) fn maximum(&self, a: u128, b: u128) -> u128 {
+        // A guard bit survives where the exponent of a is not smaller, and becomes a mask of that exponent's other bits.
+        let kept = ((a | self.guards) - (b & !self.generator_mask())) & self.guards;
+        let mask = kept - (kept >> (self.bits - 1));
+        (a & mask) | (b & !mask) | (a & self.generator_mask())
+    }
+
     /// The word that holds one power of the generator at `position`.
     pub(crate) fn generator_word(&self, position: usize) -> u128 {
         1 << generator_shift(position)
