@@ -5,22 +5,17 @@ use std::sync::Arc;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
+use super::quotient::quotient;
 use super::ring::{Monomial, Ring, Variable};
-use super::{Poly, Term, quotient};
-use crate::modular::heap::{NextProduct, ProductHeap};
-use crate::{Int, Rational, budget};
-
-/// Over a number field, from this many products of terms on, a quotient is found by its images modulo primes; below, by
-/// taking off terms, which costs less to set up.
-const MODULAR_FROM: usize = 500;
+use super::{Poly, Term};
+use crate::{Int, Rational};
 
 impl Poly {
     /// The quotient `self / divisor`, if that is a polynomial.
     ///
-    /// Over the rationals the primitive parts are divided over the integers, which is enough by Gauss's lemma. Over a
-    /// number field the divisor is first made monic; from a certain size on, images modulo primes are divided instead. The
-    /// terms of the quotient are found from the largest down; the first that cannot be one ends the attempt. Complexity:
-    /// one step in a heap for each product of a term of the quotient and one of the divisor.
+    /// The terms of the quotient are found from the largest down; the first that cannot be one ends the attempt. Complexity:
+    /// one product of coefficients for each pair of a term of the quotient and one of the divisor, and what it takes to sum
+    /// these.
     ///
     /// # Panics
     /// If `divisor` is zero.
@@ -37,19 +32,7 @@ impl Poly {
             return None;
         }
         let (a, b) = Poly::unify(self, divisor);
-        let bounds = quotient_degrees(&a, &b)?;
-        if a.ring.field().generators().is_empty() {
-            let quotient = divide(&a.ring, &a.terms, &b.terms, &bounds)?;
-            return Some(Poly::from_sorted(a.ring.clone(), &a.content / &b.content, quotient));
-        }
-        if a.terms.len() * b.terms.len() > MODULAR_FROM {
-            return quotient::modular_quotient(&a, &b);
-        }
-        // b = c·m with m monic over the field, so a/b = (a/m)/c.
-        let inverse = b.leading_coefficient().inverse();
-        let monic = (&*b * &inverse).transfer_to(&a.ring);
-        let quotient = divide_monic(&a.ring, &a, &monic, &bounds)?;
-        Some(quotient * inverse)
+        quotient(&a, &b)
     }
 
     /// Whether a nonzero divisor over the same field may divide, as far as degrees and, over the rationals, the first and the
@@ -198,92 +181,6 @@ impl Poly {
     }
 }
 
-/// The degrees of `a/b` in each variable, unless one would be negative.
-fn quotient_degrees(a: &Poly, b: &Poly) -> Option<Vec<u32>> {
-    a.degrees().into_iter().zip(b.degrees()).map(|(a, b)| a.checked_sub(b)).collect()
-}
-
-fn within(ring: &Ring, monomial: Monomial, bounds: &[u32]) -> bool {
-    bounds.iter().enumerate().all(|(i, &bound)| ring.exponent(monomial, i) <= bound)
-}
-
-/// The quotient over the integers, by a heap of the products that are to be taken off next (Johnson, *Sparse polynomial
-/// arithmetic*, 1974): one product of each term of the divisor waits in it at a time.
-fn divide(ring: &Ring, a: &[Term], b: &[Term], bounds: &[u32]) -> Option<Vec<Term>> {
-    let (leading, tail) = b.split_first()?;
-    // The smallest terms must divide as well: a cheap test that most failures do not pass.
-    let (last_a, last_b) = (a.last()?, b.last()?);
-    ring.quotient(last_a.monomial, last_b.monomial)?;
-    if !last_a.coefficient.is_multiple_of(&last_b.coefficient) {
-        return None;
-    }
-    let mut quotient: Vec<Term> = Vec::new();
-    let mut heap = ProductHeap::default();
-    // Terms of the tail whose next partner is not known yet.
-    let mut waiting: Vec<usize> = (0..tail.len()).collect();
-    let mut own = 0;
-    loop {
-        let next = a.get(own).map(|term| term.monomial.0).max(heap.top().map(|product| product.word));
-        let Some(word) = next else { return Some(quotient) };
-        let mut coefficient = Int::ZERO;
-        if let Some(term) = a.get(own).filter(|term| term.monomial.0 == word) {
-            coefficient = term.coefficient.clone();
-            own += 1;
-        }
-        while let Some(product) = heap.top_at(word) {
-            let NextProduct { divisor: j, quotient: i, .. } = product;
-            coefficient -= &tail[j].coefficient * &quotient[i].coefficient;
-            if let Some(partner) = quotient.get(i + 1) {
-                let word = tail[j].monomial.0 + partner.monomial.0;
-                heap.replace_top(NextProduct { word, divisor: j, quotient: i + 1 });
-            } else {
-                heap.pop();
-                waiting.push(j);
-            }
-        }
-        if coefficient.is_zero() {
-            continue;
-        }
-        budget::spend(4 * b.len() as u64);
-        let monomial =
-            ring.quotient(Monomial(word), leading.monomial).filter(|&m| within(ring, m, bounds))?;
-        let (factor, remainder) = coefficient.div_rem(&leading.coefficient);
-        if !remainder.is_zero() {
-            return None;
-        }
-        for j in waiting.drain(..) {
-            let word = tail[j].monomial.0 + monomial.0;
-            heap.push(NextProduct { word, divisor: j, quotient: quotient.len() });
-        }
-        quotient.push(Term { monomial, coefficient: factor });
-    }
-}
-
-/// The quotient by a divisor with the leading coefficient 1, of which each step takes off one monomial in the variables with its
-/// coefficient in the field.
-fn divide_monic(ring: &Arc<Ring>, a: &Poly, b: &Poly, bounds: &[u32]) -> Option<Poly> {
-    let leading = ring.variable_part(b.terms.first()?.monomial);
-    // The smallest monomials must divide as well.
-    let smallest = |poly: &Poly| poly.terms.last().map(|term| ring.variable_part(term.monomial));
-    ring.quotient(smallest(a)?, smallest(b)?)?;
-    let mut rest = a.transfer_to(ring);
-    let mut quotient: Vec<(Monomial, Rational)> = Vec::new();
-    while let Some(first) = rest.terms.first() {
-        budget::spend(16 * b.terms.len() as u64);
-        let monomial = ring
-            .quotient(ring.variable_part(first.monomial), leading)
-            .filter(|&m| within(ring, m, bounds))?;
-        let mut step = rest.leading_coefficient();
-        for term in &mut step.terms {
-            term.monomial = Monomial(term.monomial.0 | monomial.0);
-        }
-        let scaled = |term: &Term| (term.monomial, &step.content * Rational::from(term.coefficient.clone()));
-        quotient.extend(step.terms.iter().map(scaled));
-        rest -= step * b;
-    }
-    Some(Poly::from_rational_terms(ring.clone(), quotient))
-}
-
 impl Poly {
     /// The polynomial with the given rational coefficients of distinct reduced monomials.
     pub(crate) fn from_rational_terms(ring: Arc<Ring>, mut coefficients: Vec<(Monomial, Rational)>) -> Poly {
@@ -310,32 +207,6 @@ mod tests {
     use super::*;
     use crate::{Variable, ratio};
 
-    /// The division that takes all products off a map of the remainder at once.
-    fn naive_quotient(a: &Poly, b: &Poly) -> Option<Poly> {
-        if a.is_zero() {
-            return Some(Poly::zero());
-        }
-        let ring = &a.ring;
-        let bounds = quotient_degrees(a, b)?;
-        let mut rest: BTreeMap<Monomial, Rational> =
-            a.terms.iter().map(|term| (term.monomial, Rational::from(term.coefficient.clone()))).collect();
-        let mut quotient = Vec::new();
-        while let Some((monomial, coefficient)) = rest.pop_last() {
-            if coefficient.is_zero() {
-                continue;
-            }
-            let monomial =
-                ring.quotient(monomial, b.terms[0].monomial).filter(|&m| within(ring, m, &bounds))?;
-            let factor = coefficient / Rational::from(b.terms[0].coefficient.clone());
-            for term in &b.terms[1..] {
-                let entry = rest.entry(Monomial(monomial.0 + term.monomial.0)).or_insert_with(Rational::zero);
-                *entry -= &factor * Rational::from(term.coefficient.clone());
-            }
-            quotient.push((monomial, factor));
-        }
-        Some(Poly::from_rational_terms(ring.clone(), quotient).scale(&(&a.content / &b.content)))
-    }
-
     fn polynomials(terms: usize) -> impl Strategy<Value = Poly> {
         prop::collection::vec((0_u32..4, 0_u32..4, 0_u32..3, -9_i64..=9), 1..=terms).prop_map(|terms| {
             let [u, v, a] =
@@ -349,15 +220,6 @@ mod tests {
     }
 
     proptest! {
-        #[test]
-        fn quotients_agree_with_the_naive_division(a in polynomials(8), b in polynomials(8), r in polynomials(2)) {
-            prop_assume!(!b.is_zero());
-            let exact = (&a * &b).transfer_to(&b.ring);
-            for dividend in [exact.clone(), exact + r] {
-                prop_assert_eq!(dividend.exact_div(&b), naive_quotient(&dividend, &b));
-            }
-        }
-
         #[test]
         fn multiples_by_numbers_are_found(a in polynomials(6), b in polynomials(6), m in 1_i64..5, n in -5_i64..5) {
             let root = Poly::sqrt_of(&ratio(2, 1));

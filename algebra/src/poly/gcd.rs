@@ -6,7 +6,6 @@ use num_integer::Integer;
 use num_traits::One;
 
 use super::images::Frame;
-use super::quotient::quotient;
 use super::ring::{Monomial, Ring, Variable};
 use super::{Poly, Term};
 use crate::modular::field::PrimeField;
@@ -66,7 +65,7 @@ impl Poly {
         nonzero.sort_by_key(|poly| poly.terms.len());
         let mut gcd = Poly::zero();
         for poly in nonzero {
-            if gcd.is_zero() || quotient(poly, &gcd).is_none() {
+            if gcd.is_zero() || poly.exact_div(&gcd).is_none() {
                 gcd = gcd.gcd(poly);
             }
             if gcd.is_one() {
@@ -105,7 +104,7 @@ impl Poly {
 
 /// The quotient by a polynomial that is known to divide.
 pub(crate) fn exact_quotient(dividend: &Poly, divisor: &Poly) -> Poly {
-    quotient(dividend, divisor).expect("a certified divisor divides")
+    dividend.exact_div(divisor).expect("a certified divisor divides")
 }
 
 /// The largest monomial in the variables that divides a nonzero polynomial, as exponents, and the quotient.
@@ -146,7 +145,7 @@ fn gcd_without_monomials(a: &Poly, b: &Poly) -> Poly {
         }
         // One operand may be the gcd itself; its degrees tell when that is possible.
         for (divisor, degrees, dividend) in [(a, &a_degrees, b), (b, &b_degrees, a)] {
-            if *degrees == bounds && quotient(dividend, divisor).is_some() {
+            if *degrees == bounds && dividend.exact_div(divisor).is_some() {
                 return divisor.normalized();
             }
         }
@@ -266,7 +265,7 @@ fn modular_divisor(
         if refused.as_ref() == Some(&candidate) {
             continue;
         }
-        let cofactors = quotient(a, &candidate).and_then(|first| Some([first, quotient(b, &candidate)?]));
+        let cofactors = a.exact_div(&candidate).and_then(|first| Some([first, b.exact_div(&candidate)?]));
         if let Some(cofactors) = cofactors {
             return Some((candidate, cofactors));
         }

@@ -1,6 +1,7 @@
 //! Sparse polynomials in several variables over a number field.
 
 pub(crate) mod arithmetic;
+pub(crate) mod boxes;
 pub(crate) mod display;
 pub(crate) mod division;
 pub(crate) mod gcd;

@@ -6,18 +6,17 @@
 //! | [`array`] | the exponents of the product fill boxes well enough | some 1–3 ns for each product of terms |
 //! | [`table`] | everything else | some 10 ns for each product of terms as long as the sums fit the cache, then a sort |
 //!
-//! All accumulate without allocation, in cells as wide as the largest sum can be ([`cell`]).
+//! All accumulate without allocation, in cells as wide as the largest sum can be (see [`Cell`]).
 
 mod array;
-mod cell;
 mod table;
 
+use super::boxes::cell::{Cell, Wide};
 use super::reduction::reduce;
 use super::ring::{Monomial, Ring};
 use super::{Term, terms};
 use crate::{Int, budget};
 use array::Plan;
-use cell::{Cell, Wide};
 
 /// The product of sorted lists of terms, with the rules of the field applied.
 pub(crate) fn product(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
@@ -134,9 +133,7 @@ mod tests {
             [x, y].map(|terms| terms.iter().map(|term| C::of(&term.coefficient)).collect::<Vec<C>>());
         let exponents = terms::maximum(&ring, x) + terms::maximum(&ring, y);
         let mut found = vec![table::multiply([x, y], [&a, &b])];
-        found.extend(
-            Plan::all(&ring, [x, y], exponents).into_iter().map(|plan| plan.multiply([x, y], [&a, &b])),
-        );
+        found.extend(Plan::all(&ring, exponents).into_iter().map(|plan| plan.multiply([x, y], [&a, &b])));
         found
     }
 

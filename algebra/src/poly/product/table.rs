@@ -1,7 +1,7 @@
 //! Products whose sums are kept in a hash table.
 
-use super::cell::Cell;
 use crate::poly::Term;
+use crate::poly::boxes::cell::Cell;
 use crate::poly::ring::Monomial;
 
 /// The product of sorted lists of terms, whose coefficients are `values`.

@@ -1,12 +1,13 @@
 //! Cells in which products of coefficients accumulate.
 
 use num_bigint::{BigInt, Sign};
+use num_integer::Integer;
 use num_traits::Zero;
 
 use crate::Int;
 
 /// An integer under accumulation: of a fixed width where all sums fit, else an [`Int`].
-pub(super) trait Cell: Clone + Default {
+pub(crate) trait Cell: Clone + Default {
     /// The cell that holds a coefficient, which fits.
     fn of(coefficient: &Int) -> Self;
     /// Adds `a·b`.
@@ -15,6 +16,55 @@ pub(super) trait Cell: Clone + Default {
     fn is_nothing(&self) -> bool;
     /// What it holds.
     fn finish(self) -> Int;
+}
+
+/// A cell in which remainders can be formed as well.
+pub(crate) trait DivisibleCell: Cell {
+    /// Bits that no value of the cell may have.
+    const WIDTH: u64;
+    /// Minus the quotient by `divisor`, which is not zero, if that is an integer.
+    fn negated_quotient(&self, divisor: &Self) -> Option<Self>;
+    /// The bits of the absolute value.
+    fn bits(&self) -> u64;
+}
+
+macro_rules! divisible_word {
+    ($Word:ty) => {
+        impl DivisibleCell for $Word {
+            const WIDTH: u64 = <$Word>::BITS as u64 - 1;
+
+            #[inline]
+            fn negated_quotient(&self, divisor: &$Word) -> Option<$Word> {
+                // Neither is the smallest value of the type.
+                match divisor {
+                    1 => Some(-self),
+                    _ if self % divisor == 0 => Some(-(self / divisor)),
+                    _ => None,
+                }
+            }
+
+            #[inline]
+            fn bits(&self) -> u64 {
+                u64::from(<$Word>::BITS - self.unsigned_abs().leading_zeros())
+            }
+        }
+    };
+}
+
+divisible_word!(i64);
+divisible_word!(i128);
+
+impl DivisibleCell for Int {
+    const WIDTH: u64 = u64::MAX;
+
+    fn negated_quotient(&self, divisor: &Int) -> Option<Int> {
+        let (quotient, remainder) = self.div_rem(divisor);
+        remainder.is_zero().then(|| -quotient)
+    }
+
+    fn bits(&self) -> u64 {
+        Int::bits(self)
+    }
 }
 
 impl Cell for i64 {
@@ -68,7 +118,7 @@ impl Cell for i128 {
 ///
 /// Products are taken modulo 2^(64·N), by the schoolbook method, so signs need no attention.
 #[derive(Clone)]
-pub(super) struct Wide<const N: usize>([u64; N]);
+pub(crate) struct Wide<const N: usize>([u64; N]);
 
 impl<const N: usize> Default for Wide<N> {
     fn default() -> Wide<N> {

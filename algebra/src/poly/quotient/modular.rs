@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use num_traits::{Signed, Zero};
 
-use super::images::Frame;
-use super::ring::Monomial;
-use super::{Poly, Rational};
-use crate::Int;
 use crate::modular::field::PrimeField;
 use crate::modular::lift::Chinese;
+use crate::poly::Poly;
+use crate::poly::images::Frame;
+use crate::poly::ring::Monomial;
+use crate::{Int, Rational};
 
 /// The quotient of polynomials, if `divisor`, which is not zero, divides.
 ///
@@ -18,7 +18,7 @@ use crate::modular::lift::Chinese;
 /// quotient is certified by its size: the product with the divisor is congruent to the dividend modulo a number
 /// larger than the difference can be. Over a number field it is multiplied out. Complexity: for each prime and
 /// homomorphism one product and one step in a heap for each pair of a term of the quotient and one of the divisor.
-pub(crate) fn modular_quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
+pub(super) fn quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
     if dividend.is_zero() {
         return Some(Poly::zero());
     }
@@ -78,21 +78,6 @@ pub(crate) fn modular_quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> 
     }
 }
 
-/// How many products of terms make it worth while to go by way of primes, over a number field.
-const MODULAR_FROM: usize = 500;
-
-/// The quotient, if `divisor`, which is not zero, divides, in the way that suits the size.
-pub(crate) fn quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
-    let products = dividend.terms.len().saturating_sub(divisor.terms.len() - 1) * divisor.terms.len();
-    let rational =
-        dividend.ring.field().generators().is_empty() && divisor.ring.field().generators().is_empty();
-    if rational || products < MODULAR_FROM || divisor.is_constant() {
-        dividend.exact_div(divisor)
-    } else {
-        modular_quotient(dividend, divisor)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,10 +97,10 @@ mod tests {
         for a in factors {
             for b in factors {
                 let product = a * b;
-                assert_eq!(modular_quotient(&product, b), product.exact_div(b));
-                assert_eq!(modular_quotient(&product, b).as_ref(), Some(a));
-                assert_eq!(modular_quotient(&(&product + Poly::one()), b), None);
-                assert_eq!(modular_quotient(a, &product), None);
+                assert_eq!(quotient(&product, b), product.exact_div(b));
+                assert_eq!(quotient(&product, b).as_ref(), Some(a));
+                assert_eq!(quotient(&(&product + Poly::one()), b), None);
+                assert_eq!(quotient(a, &product), None);
             }
         }
     }
@@ -123,7 +108,7 @@ mod tests {
     #[test]
     fn agrees_with_the_division_of_terms_over_the_rationals() {
         check(&operands());
-        assert_eq!(modular_quotient(&Poly::zero(), &operands()[0]), Some(Poly::zero()));
+        assert_eq!(quotient(&Poly::zero(), &operands()[0]), Some(Poly::zero()));
     }
 
     #[test]
