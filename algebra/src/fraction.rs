@@ -161,20 +161,21 @@ impl Fraction {
         if self.is_zero() {
             return Fraction::zero();
         }
-        let mut numerator = self.numerator.clone();
-        let mut factors = Vec::new();
-        for (factor, exponent) in &self.factors {
-            let mut left = *exponent;
-            while left > 0 {
-                let Some(quotient) = numerator.exact_div(factor) else { break };
-                numerator = quotient;
-                left -= 1;
-            }
-            if left > 0 {
-                factors.push((factor.clone(), left));
-            }
-        }
+        let (numerator, factors) = cancelled(&self.numerator, &self.factors);
         Fraction { numerator, factors }
+    }
+
+    /// The product of [reduced](Fraction::reduced) fractions, reduced. The numerator of each fraction is divided by factors of the other one before the
+    /// numerators are multiplied.
+    #[must_use]
+    pub fn reduced_product(&self, other: &Fraction) -> Fraction {
+        if self.is_zero() || other.is_zero() {
+            return Fraction::zero();
+        }
+        let (numerator, others) = cancelled(&self.numerator, &other.factors);
+        let (other_numerator, factors) = cancelled(&other.numerator, &self.factors);
+        (&Fraction { numerator, factors } * &Fraction { numerator: other_numerator, factors: others })
+            .reduced()
     }
 
     /// The same rational function in lowest terms: what numerator and known factors have in common is found by gcds, so
@@ -343,6 +344,24 @@ fn substitute_poly(poly: &Poly, values: &BTreeMap<Variable, Fraction>) -> Fracti
         .iter()
         .rev()
         .fold(Fraction::zero(), |sum, coefficient| &(&sum * value) + &substitute_poly(coefficient, &rest))
+}
+
+/// A nonzero numerator and factors of a denominator, each factor cancelled as often as it divides.
+fn cancelled(numerator: &Poly, factors: &[(Poly, u32)]) -> (Poly, Vec<(Poly, u32)>) {
+    let mut numerator = numerator.clone();
+    let mut rest = Vec::new();
+    for (factor, exponent) in factors {
+        let mut left = *exponent;
+        while left > 0 {
+            let Some(quotient) = numerator.exact_div(factor) else { break };
+            numerator = quotient;
+            left -= 1;
+        }
+        if left > 0 {
+            rest.push((factor.clone(), left));
+        }
+    }
+    (numerator, rest)
 }
 
 fn product(factors: &[(Poly, u32)]) -> Poly {

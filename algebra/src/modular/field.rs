@@ -70,7 +70,8 @@ impl PrimeField {
 
     /// The image of an unsigned integer.
     pub(crate) fn residue_of_word(&self, value: u64) -> Residue {
-        self.reduce(u128::from(value % self.modulus) * u128::from(self.radix_squared))
+        let value = if value < self.modulus { value } else { value % self.modulus };
+        self.reduce(u128::from(value) * u128::from(self.radix_squared))
     }
 
     /// The image of an integer.

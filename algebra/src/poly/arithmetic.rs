@@ -44,12 +44,15 @@ impl Poly {
             let content = Rational::new_raw(power(self.content.numer()), power(self.content.denom()));
             return Poly { ring: self.ring.clone(), content, terms };
         }
-        budget::require(self.power_work(exponent, &degrees));
-        let mut power = self.clone();
-        for _ in 1..exponent {
-            power = &power * self;
-        }
-        power
+        budget::doing("a power of a polynomial", || {
+            budget::require(self.power_work(exponent, &degrees));
+            let mut power = self.clone();
+            for step in 1..exponent {
+                budget::progress(step.into(), exponent.into());
+                power = &power * self;
+            }
+            power
+        })
     }
 
     /// A cautious estimate of the work for a power with the given degrees, from the number of terms that it can have: at
@@ -70,7 +73,7 @@ impl Poly {
             + u64::from(count.max(1).ilog2());
         let words = 1 + bits.saturating_mul(u64::from(exponent)) / 128;
         // The powers before it have fewer terms: a third of them on average, for two variables.
-        terms.saturating_mul(count).saturating_mul(words).saturating_mul(u64::from(exponent)) / 4
+        terms.saturating_mul(count).saturating_mul(words).saturating_mul(u64::from(exponent)) / 16
     }
 
     fn combine(&self, other: &Poly, sign: i64) -> Poly {

@@ -35,23 +35,27 @@ impl Poly {
         quotient(&a, &b)
     }
 
-    /// Whether a nonzero divisor over the same field may divide, as far as degrees and, over the rationals, the first and the
-    /// last coefficients of the primitive parts tell.
+    /// Whether a nonzero divisor over the same field may divide, as far as it is seen without a common ring: from the first and the
+    /// last terms, or from the degrees.
     fn may_divide(&self, divisor: &Poly) -> bool {
+        let ends = [(self.terms.first(), divisor.terms.first()), (self.terms.last(), divisor.terms.last())];
+        let ends = ends.into_iter().filter_map(|(a, b)| a.zip(b));
         if self.ring.field().generators().is_empty() {
-            let ends =
-                [(self.terms.first(), divisor.terms.first()), (self.terms.last(), divisor.terms.last())];
-            let divides = |end: &(Option<&Term>, Option<&Term>)| match end {
-                (Some(a), Some(b)) => b.coefficient.is_one() || a.coefficient.is_multiple_of(&b.coefficient),
-                _ => true,
+            let divides = |(a, b): (&Term, &Term)| {
+                b.coefficient.is_one() || a.coefficient.is_multiple_of(&b.coefficient)
             };
-            if !ends.iter().all(divides) {
+            if !ends.clone().all(divides) {
                 return false;
             }
         }
+        let ring = &self.ring;
+        if ring.variables() == divisor.ring.variables() {
+            let part = |term: &Term| ring.variable_part(term.monomial);
+            return ends.clone().all(|(a, b)| ring.quotient(part(a), part(b)).is_some());
+        }
         let own = self.degrees();
         let at_least = |(variable, degree): (&Variable, u32)| {
-            degree == 0 || self.ring.position(variable).is_some_and(|position| own[position] >= degree)
+            degree == 0 || ring.position(variable).is_some_and(|position| own[position] >= degree)
         };
         divisor.ring.variables().iter().zip(divisor.degrees()).all(at_least)
     }

@@ -5,12 +5,13 @@ use std::sync::Arc;
 use num_integer::Integer;
 use num_traits::One;
 
+use super::evaluation::Evaluation;
 use super::images::Frame;
 use super::ring::{Monomial, Ring, Variable};
 use super::{Poly, Term};
 use crate::modular::field::PrimeField;
 use crate::modular::lift::{Chinese, Modulo};
-use crate::modular::multivariate::{Layout, Multivariate, Points};
+use crate::modular::multivariate::{Layout, Multivariate};
 use crate::modular::splitting::Splitting;
 use crate::{Int, Rational};
 
@@ -191,17 +192,15 @@ fn degree_bounds(a: &Poly, b: &Poly, fields: &mut impl Iterator<Item = PrimeFiel
     let frame = Frame::new([a, b], positions.clone(), &most);
     let splitting = frame.splitting(fields);
     let field = splitting.field();
-    let images = [a, b].map(|poly| frame.terms(poly).image(&splitting, 0));
-    let point = Points::new(field).take(positions.len());
-    let [a_images, b_images] =
-        [0, 1].map(|k: usize| images[k].univariate_images(field, frame.layout(), &point));
+    let evaluation = Evaluation::new(&a.ring, field, &frame.generator_images(&splitting));
+    let [a_images, b_images] = [a, b].map(|poly| evaluation.images(poly));
     let mut bounds = vec![0; a_degrees.len()];
-    for (i, &position) in positions.iter().enumerate() {
+    for position in positions {
         let least = a_degrees[position].min(b_degrees[position]);
         if least == 0 {
             continue;
         }
-        let (a_image, b_image) = (&a_images[i], &b_images[i]);
+        let (a_image, b_image) = (&a_images[position], &b_images[position]);
         let kept = a_image.degree() == a_degrees[position] as usize
             || b_image.degree() == b_degrees[position] as usize;
         let found = a_image.gcd(field, b_image).degree();

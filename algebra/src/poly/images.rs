@@ -83,6 +83,15 @@ impl Frame {
         }
     }
 
+    /// The images of all generators of the field under the first homomorphism of `splitting`; zero for those that do not occur.
+    pub(crate) fn generator_images(&self, splitting: &Splitting) -> Vec<Residue> {
+        let mut images = vec![Residue::ZERO; self.ring.field().generators().len()];
+        for (i, &generator) in self.generators.iter().rev().enumerate() {
+            images[generator] = splitting.basis()[0][1 << i];
+        }
+        images
+    }
+
     /// The primitive part of `poly` in this frame.
     pub(crate) fn terms(&self, poly: &Poly) -> FramedTerms {
         let read = |term: &Term| {

@@ -4,6 +4,7 @@ pub(crate) mod arithmetic;
 pub(crate) mod boxes;
 pub(crate) mod display;
 pub(crate) mod division;
+pub(crate) mod evaluation;
 pub(crate) mod gcd;
 pub(crate) mod images;
 pub(crate) mod perfect_square;

@@ -5,8 +5,8 @@ use num_traits::{One, Zero};
 use super::Term;
 use super::ring::{Monomial, Ring, generator_monomial};
 use super::terms::collect;
-use crate::Int;
 use crate::number::field::Generator;
+use crate::{Int, budget};
 
 /// Fields with more generators have no table, which would have 4ⁿ rows.
 const MOST_GENERATORS: usize = 4;
@@ -136,7 +136,11 @@ fn apply_rules(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> {
             .radicand_terms()
             .map(|(exponents, coefficient)| (generator_monomial(&exponents), coefficient))
             .collect();
-        let mut expanded = Vec::with_capacity(2 * terms.len());
+        let squares =
+            terms.iter().filter(|term| ring.generator_exponent(term.monomial, position) > 1).count();
+        let count = terms.len() - squares + squares * radicand.len();
+        budget::reserve((count * size_of::<Term>()) as u64);
+        let mut expanded = Vec::with_capacity(count);
         for term in terms {
             if ring.generator_exponent(term.monomial, position) < 2 {
                 expanded.push(term);

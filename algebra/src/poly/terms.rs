@@ -40,7 +40,7 @@ pub(crate) fn maximum(ring: &Ring, terms: &[Term]) -> u128 {
 
 /// Sorts terms and adds those of equal monomials.
 pub(crate) fn collect(mut terms: Vec<Term>) -> Vec<Term> {
-    budget::spend(terms.len() as u64);
+    budget::spend(4 * terms.len() as u64);
     terms.sort_by_key(|term| std::cmp::Reverse(term.monomial));
     let mut sum: Vec<Term> = Vec::with_capacity(terms.len());
     for term in terms {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::control_net::ControlNet;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
-use super::singular::SingularLocus;
+use super::singular::{self, SingularLocus};
 use super::swept::{OffsetError, ParametricSpeed, RadicalSurface, SweptSurface, unused};
 use crate::number::field;
 use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, minimize_field};
@@ -56,7 +56,8 @@ pub struct Derivation {
     /// The polynomial that is positive where the unit normal `N/|N|` points the way of `R_u × R_v`; `None` where that is
     /// certified for the whole domain. Beyond its zeros the offset at the distance `r` is the one at `−r`.
     pub orientation: Option<Poly>,
-    /// Where the weight W vanishes on the domain, so that the surface has poles; `None` where symbols decide.
+    /// Where the weight W vanishes on the domain, so that the surface has poles; `None` where symbols decide, or the poles
+    /// need more than their share of the budget.
     pub poles: Option<ZeroSet>,
     /// The control points over the domain.
     pub control_net: ControlNet,
@@ -121,7 +122,7 @@ impl SweptSurface {
         if let Ok(offset) = &offset {
             offset.visit(|poly| all.push(poly.clone()));
         }
-        let minimized = minimize_field(&all);
+        let minimized = budget::doing("the number field", || minimize_field(&all));
         let mut field =
             minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
         let mut next = minimized.into_iter();
@@ -152,11 +153,17 @@ impl SweptSurface {
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
         let region: Vec<(Variable, Interval)> =
             parameters.iter().cloned().zip(domain.iter().cloned()).collect();
-        let positive = |poly: &Poly| matches!(poly.sign_on(&region), Some(BoxSign::Positive));
+        let positive = |poly: &Poly| {
+            let sign = budget::with_budget(singular::BUDGET, || poly.sign_on(&region));
+            matches!(sign, Ok(Some(BoxSign::Positive)))
+        };
         let orientation = normal.orientation();
-        let orientation = (!positive(&orientation)).then_some(orientation);
-        let poles = budget::doing("the poles", || homogeneous.coordinates()[0].zeros_on(&region));
-        let control_net = ControlNet::of(&homogeneous, &domain).map(|number| into_field(number, &mut field));
+        let oriented = budget::doing("the orientation of the normal", || positive(&orientation));
+        let orientation = (!oriented).then_some(orientation);
+        // What has been derived is not to be lost with the zeros of one polynomial.
+        let poles = budget::doing("the poles", || singular::zeros(&homogeneous.coordinates()[0], &region));
+        let control_net = budget::doing("the control net", || ControlNet::of(&homogeneous, &domain));
+        let control_net = control_net.map(|number| into_field(number, &mut field));
         Ok(Derivation {
             field,
             parameters,

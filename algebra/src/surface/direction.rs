@@ -14,19 +14,18 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// The direction of a vector; `None` for the zero vector.
+    /// The direction of a [reduced](Vector::reduced) vector; `None` for the zero vector.
     ///
     /// Known factors of the denominators are kept; the gcd of the three components finds the factor that no denominator
     /// announces, unless the vector is along one of the `known` directions, which is tried first.
     pub(crate) fn of(vector: &Vector, known: &[[Poly; 3]]) -> Option<Direction> {
-        let vector = vector.reduced();
         if vector.is_zero() {
             return None;
         }
         let common = Fraction::common_denominator(vector.components());
         let numerators = vector.components().each_ref().map(|component| component.numerator_over(&common));
         let direction = known.iter().find_map(|known| Direction::along(&numerators, known));
-        let direction = direction.unwrap_or_else(|| Direction::of_polynomials(numerators));
+        let direction = direction.unwrap_or_else(|| Direction::of_polynomials(numerators, &[]));
         Some(direction.times(&Fraction::new(Poly::one(), common)))
     }
 
@@ -45,13 +44,21 @@ impl Direction {
         parallel.then(|| Direction { factor: factor.into(), numerator: direction.clone() })
     }
 
-    /// The direction of a nonzero vector of polynomials.
-    fn of_polynomials(vector: [Poly; 3]) -> Direction {
+    /// The direction of a nonzero vector of polynomials. Likely common factors are tried first; the gcd then certifies that
+    /// nothing is left in common, which is much cheaper than to find it.
+    fn of_polynomials(mut vector: [Poly; 3], likely: &[&Poly]) -> Direction {
+        let mut factor = Poly::one();
+        for &candidate in likely {
+            while let Some(quotient) = divide_all(&vector, candidate) {
+                vector = quotient;
+                factor *= candidate;
+            }
+        }
         let gcd = budget::doing("the common factor of a vector", || Poly::gcd_many(&vector));
         let numerator = vector.map(|component| component.exact_div(&gcd).unwrap_or(component));
         let content = Poly::common_content(&numerator);
         let numerator = numerator.map(|component| component.scale(&content.recip()).pruned());
-        Direction { factor: gcd.scale(&content).into(), numerator }
+        Direction { factor: (factor * gcd).scale(&content).into(), numerator }
     }
 
     /// The direction of the vector product; `None` where both are parallel.
@@ -62,7 +69,12 @@ impl Direction {
         if product.iter().all(Poly::is_zero) {
             return None;
         }
-        Some(Direction::of_polynomials(product).times(&(&self.factor * &other.factor)))
+        // What the derivatives were divided by is likely to divide their product once more.
+        let denominators = [&self.factor, &other.factor].into_iter().flat_map(Fraction::factors);
+        let mut likely: Vec<&Poly> = denominators.map(|(factor, _)| factor).collect();
+        likely.dedup();
+        let direction = Direction::of_polynomials(product, &likely);
+        Some(direction.times(&self.factor.reduced_product(&other.factor)))
     }
 
     /// The opposite numerator with the opposite factor: the same vector.
@@ -71,6 +83,17 @@ impl Direction {
     }
 
     fn times(&self, factor: &Fraction) -> Direction {
-        Direction { factor: (&self.factor * factor).reduced(), numerator: self.numerator.clone() }
+        Direction { factor: self.factor.reduced_product(factor), numerator: self.numerator.clone() }
     }
+}
+
+fn divide_all(vector: &[Poly; 3], divisor: &Poly) -> Option<[Poly; 3]> {
+    let mut order: Vec<usize> = vec![0, 1, 2];
+    // Short components fail sooner.
+    order.sort_by_key(|&i| vector[i].terms().len());
+    let mut quotients = vector.clone();
+    for i in order {
+        quotients[i] = vector[i].exact_div(divisor)?;
+    }
+    Some(quotients)
 }

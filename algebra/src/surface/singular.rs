@@ -33,10 +33,10 @@ pub struct SingularLocus {
 }
 
 /// The units of work that the zeros of one polynomial may take: what else is derived is not to be lost with them.
-const BUDGET: u64 = 100_000_000;
+pub(super) const BUDGET: u64 = 100_000_000;
 
 /// The zeros of a polynomial on the domain, if they can be determined.
-fn zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
+pub(super) fn zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
     budget::with_budget(BUDGET, || poly.zeros_on(domain)).ok().flatten()
 }
 

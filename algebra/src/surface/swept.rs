@@ -203,7 +203,7 @@ impl SweptSurface {
     /// components can be much larger than its direction.
     #[must_use]
     pub fn with_directions<'a>(self, vectors: impl IntoIterator<Item = &'a Vector>) -> SweptSurface {
-        let directions = vectors.into_iter().filter_map(|vector| Direction::of(vector, &[]));
+        let directions = vectors.into_iter().filter_map(|vector| Direction::of(&vector.reduced(), &[]));
         SweptSurface { directions: directions.map(|direction| direction.numerator).collect(), ..self }
     }
 

@@ -44,7 +44,8 @@ impl Boxes {
             }
             let lowest = first.checked_sub(1).map_or(128, |last| occurring[last].0);
             let prefix = u128::MAX.checked_shl(lowest).unwrap_or(0);
-            let room = occurring[..first].iter().fold(1_usize, |room, field| room.saturating_mul(extent(field)));
+            let room =
+                occurring[..first].iter().fold(1_usize, |room, field| room.saturating_mul(extent(field)));
             candidates.push(Boxes { prefix, fields: fields.clone(), size, room, lowest: lowest as usize });
         }
         candidates

@@ -24,7 +24,7 @@ const PAIR_COST: usize = 20;
 /// As [`PAIR_COST`], for each box.
 const BOX_COST: usize = 30;
 /// As [`PAIR_COST`], for each product that a hash table would take.
-const TABLE_COST: usize = 8;
+const TABLE_COST: usize = 12;
 /// Boxes whose cells are at most so many for each product are full.
 const FULL_CELLS: usize = 2;
 /// A box has at most so many cells for each product.
@@ -45,7 +45,7 @@ impl Plan {
             let pairs = boxes.group_count(&counts[0]).saturating_mul(boxes.group_count(&counts[1]));
             let count = boxes.room().min(pairs);
             let marks = count.saturating_mul(BOX_COST + boxes.size() / (8 * CELLS_PER_MARK));
-            let cost = pairs.saturating_mul(PAIR_COST).saturating_add(marks) + boxes.size() * bytes / 32;
+            let cost = pairs.saturating_mul(PAIR_COST).saturating_add(marks) + boxes.size() * bytes / 16;
             let limit = best.as_ref().map_or(products.saturating_mul(TABLE_COST), |(least, _)| *least);
             if cost < limit {
                 let full = boxes.size().saturating_mul(count) <= products.saturating_mul(FULL_CELLS);

@@ -2,7 +2,7 @@
 //!
 //! | way | where | cost |
 //! | --- | --- | --- |
-//! | [`monomial`] | one operand has one term | one product of coefficients for each term |
+//! | [`monomial`] | one operand has one term or two | one product of coefficients for each term, and a merge |
 //! | [`array`] | the exponents of the product fill boxes well enough | some 1–3 ns for each product of terms |
 //! | [`table`] | everything else | some 10 ns for each product of terms as long as the sums fit the cache, then a sort |
 //!
@@ -26,19 +26,24 @@ pub(crate) fn product(ring: &Ring, x: &[Term], y: &[Term]) -> Vec<Term> {
     let degrees = [x, y].map(|terms| terms::maximum(ring, terms));
     ring.check_exponents(degrees[0] + degrees[1]);
     let widths = max_bits(x) + max_bits(y) + u64::from(usize::BITS - x.len().leading_zeros());
-    budget::spend((x.len() as u64).saturating_mul(y.len() as u64).saturating_mul(1 + widths / 64));
-    let unreduced = if x.len() == 1 {
-        monomial(first, y)
-    } else {
+    let price = (x.len() as u64).saturating_mul(y.len() as u64).saturating_mul(1 + widths / 64);
+    // Where sums lie in arrays, the work for eight products of words is one unit.
+    budget::spend(price / 8);
+    let unreduced = match x {
+        [_] => monomial(first, y),
+        [_, second] => {
+            let one = Int::ONE;
+            terms::linear_combination(&one, &monomial(first, y), &one, &monomial(second, y))
+        }
         // One bit is the sign's.
-        match widths {
+        _ => match widths {
             ..63 => multiply::<i64>(ring, x, y, degrees),
             63..127 => multiply::<i128>(ring, x, y, degrees),
             127..255 => multiply::<Wide<4>>(ring, x, y, degrees),
             255..511 => multiply::<Wide<8>>(ring, x, y, degrees),
             511..1023 => multiply::<Wide<16>>(ring, x, y, degrees),
             _ => multiply::<Int>(ring, x, y, degrees),
-        }
+        },
     };
     reduce(ring, unreduced)
 }
@@ -54,11 +59,12 @@ fn max_bits(terms: &[Term]) -> u64 {
 
 /// The product with one term.
 fn monomial(factor: &Term, terms: &[Term]) -> Vec<Term> {
-    let times = |term: &Term| Term {
-        monomial: Monomial(factor.monomial.0 + term.monomial.0),
-        coefficient: &factor.coefficient * &term.coefficient,
-    };
-    terms.iter().map(times).collect()
+    let mut product = Vec::with_capacity(terms.len());
+    for term in terms {
+        let coefficient = &factor.coefficient * &term.coefficient;
+        product.push(Term { monomial: Monomial(factor.monomial.0 + term.monomial.0), coefficient });
+    }
+    product
 }
 
 /// The product in the way that suits the exponents.

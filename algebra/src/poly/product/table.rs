@@ -1,5 +1,6 @@
 //! Products whose sums are kept in a hash table.
 
+use crate::budget;
 use crate::poly::Term;
 use crate::poly::boxes::cell::Cell;
 use crate::poly::ring::Monomial;
@@ -10,6 +11,8 @@ use crate::poly::ring::Monomial;
 /// boxes of exponents would be nearly empty. A heap of products (Johnson, *Sparse polynomial arithmetic*, 1974) needs less
 /// memory and no sort, but its logarithmic factor makes it slower for the sizes that occur here.
 pub(super) fn multiply<C: Cell>([x, y]: [&[Term]; 2], [a, b]: [&[C]; 2]) -> Vec<Term> {
+    // Beyond the caches a sum takes some 50 ns to be found.
+    budget::spend((x.len() as u64).saturating_mul(y.len() as u64));
     let mut sums = SumTable::<C>::new(x.len() + y.len());
     for (p, a) in x.iter().zip(a) {
         sums.add_row(p.monomial, a, y, b);
@@ -73,6 +76,8 @@ impl<C: Cell> SumTable<C> {
     }
 
     fn grow(&mut self) {
+        let bytes = size_of::<u128>() + size_of::<C>() + 4 * size_of::<u32>() + size_of::<Term>();
+        budget::reserve(2 * (self.words.len() * bytes) as u64);
         let mut slots = vec![0; 2 * self.slots.len()];
         for (place, &word) in self.words.iter().enumerate() {
             let slot = SumTable::<C>::slot(&slots, &self.words, word);

@@ -25,25 +25,25 @@ pub(super) struct Division<'a> {
     boxes: Boxes,
 }
 
-/// The array holds at most so many bytes in cells of two words.
-const MOST_BYTES: usize = 1 << 20;
+/// An array has at most so many cells: in cells of one word it stays in the second-level cache.
+const MOST_CELLS: usize = 1 << 17;
 /// A box has at most so many cells for each term of the dividend.
-const MOST_CELLS: usize = 64;
+const CELLS_PER_TERM: usize = 64;
 /// What a pair of groups costs, in units of about a nanosecond.
 const PAIR_COST: usize = 40;
 /// As [`PAIR_COST`], for each box.
 const BOX_COST: usize = 60;
 /// As [`PAIR_COST`], for each product that a heap would take.
-const HEAP_COST: usize = 20;
+const HEAP_COST: usize = 100;
 
 impl<'a> Division<'a> {
     /// The division of lists of at least two terms in the cheapest boxes; `None` if a heap is cheaper.
     pub(super) fn new(ring: &'a Ring, a: &'a [Term], b: &'a [Term], bound: Monomial) -> Option<Division<'a>> {
         let exponents = bound.0 + crate::poly::terms::maximum(ring, b);
-        let most = (MOST_BYTES / size_of::<i128>()).min(a.len().saturating_mul(MOST_CELLS));
+        let most = a.len().saturating_mul(CELLS_PER_TERM).min(MOST_CELLS);
         let counts = [a, b].map(group_counts);
-        // Each term of the dividend is the sum of at least one product.
-        let mut limit = a.len().saturating_mul(HEAP_COST);
+        // A guess: each term of the dividend is a sum of at least one product and at most as many as the divisor has terms.
+        let mut limit = a.len().saturating_mul(b.len().isqrt()).saturating_mul(HEAP_COST);
         let mut best = None;
         for boxes in Boxes::candidates(ring, exponents) {
             if boxes.size() > most {
@@ -81,9 +81,9 @@ impl<'a> Division<'a> {
         if bits(self.a) >= widest || bits(self.b) >= widest {
             return None;
         }
-        let values = [self.a, self.b]
-            .map(|terms| terms.iter().map(|term| C::of(&term.coefficient)).collect::<Vec<C>>());
-        let places = [self.a, self.b].map(|terms| boxes.places(terms));
+        let coefficients =
+            |terms: &[Term]| terms.iter().map(|term| C::of(&term.coefficient)).collect::<Vec<C>>();
+        let (values, places) = (coefficients(self.b), boxes.places(self.b));
         let groups = [self.a, self.b].map(|terms| boxes.groups(terms));
         let prefix = |terms: &[Term], place: usize| boxes.prefix(terms[place].monomial.0);
         let (first, one) = (self.b[0].monomial, C::of(&Int::ONE));
@@ -99,16 +99,17 @@ impl<'a> Division<'a> {
                 return Some(Some(quotient.terms));
             };
             if own == Some(current) {
-                let range = groups[0][next]..groups[0][next + 1];
-                sums.add_row(0, &one, &places[0][range.clone()], &values[0][range]);
+                // Most attempts end in the first box.
+                let group = &self.a[groups[0][next]..groups[0][next + 1]];
+                sums.add_row(0, &one, &boxes.places(group), &coefficients(group));
                 next += 1;
             }
             while let Some(&(_, i, j)) = waiting.peek().filter(|pair| pair.0 == current) {
                 waiting.pop();
                 let columns = groups[1][j]..groups[1][j + 1];
                 for row in quotient.groups[i]..quotient.groups[i + 1] {
-                    let (columns, values) = (&places[1][columns.clone()], &values[1][columns.clone()]);
-                    sums.add_row(quotient.places[row], &quotient.negated[row], columns, values);
+                    let (places, values) = (&places[columns.clone()], &values[columns.clone()]);
+                    sums.add_row(quotient.places[row], &quotient.negated[row], places, values);
                 }
             }
             let mut end = sums.end();
@@ -117,14 +118,14 @@ impl<'a> Division<'a> {
                 let word = Monomial(current + sums.word(place));
                 let monomial =
                     self.ring.quotient(word, first).filter(|&m| self.ring.quotient(self.bound, m).is_some());
-                let negated = sums.take(place).negated_quotient(&values[1][0]);
+                let negated = sums.take(place).negated_quotient(&values[0]);
                 let (Some(monomial), Some(negated)) = (monomial, negated) else { return Some(None) };
                 if negated.bits() > room {
                     return None;
                 }
                 // Exponents are not smaller than those of the first term, so neither is the place.
-                let from = place - places[1][0];
-                sums.add_row(from, &negated, &places[1][1..groups[1][1]], &values[1][1..groups[1][1]]);
+                let from = place - places[0];
+                sums.add_row(from, &negated, &places[1..groups[1][1]], &values[1..groups[1][1]]);
                 quotient.push(monomial, from, negated);
                 end = place;
             }

@@ -15,13 +15,15 @@ mod heap;
 mod modular;
 mod monic;
 
-use num_integer::Integer;
-
 use super::boxes::cell::DivisibleCell;
+use super::evaluation::image_excludes;
 use super::ring::Monomial;
 use super::{Poly, Term};
 use crate::Int;
 use array::Division;
+
+/// Over the rationals, a dividend of more terms is looked at modulo a prime first, since most trial divisions fail.
+const IMAGE_FROM: usize = 100;
 
 /// Over a number field, from this many products of terms on, a quotient is found by its images modulo primes.
 const MODULAR_FROM: usize = 500;
@@ -34,11 +36,8 @@ pub(super) fn quotient(a: &Poly, b: &Poly) -> Option<Poly> {
     let degrees: Option<Vec<u32>> =
         a.degrees().into_iter().zip(b.degrees()).map(|(a, b)| a.checked_sub(b)).collect();
     let bound = ring.monomial(&degrees?, &[]);
-    // The smallest terms must divide as well: a cheap test that most failures do not pass.
-    let (last_a, last_b) = (a.terms.last()?, b.terms.last()?);
-    ring.quotient(ring.variable_part(last_a.monomial), ring.variable_part(last_b.monomial))?;
     if ring.field().generators().is_empty() {
-        if !last_a.coefficient.is_multiple_of(&last_b.coefficient) {
+        if a.terms.len() > IMAGE_FROM && image_excludes(a, b) {
             return None;
         }
         let terms = integer_quotient(a, b, bound)?;
