@@ -88,6 +88,11 @@ impl Fraction {
         self.numerator.is_zero()
     }
 
+    /// Whether it is written as 1.
+    pub(crate) fn is_one(&self) -> bool {
+        self.factors.is_empty() && self.numerator.is_one()
+    }
+
     /// The polynomial that it is, if it is one.
     #[must_use]
     pub fn to_poly(&self) -> Option<Poly> {

@@ -1,11 +1,17 @@
 //! Vectors of rational functions.
 
+use std::cell::OnceCell;
 use std::fmt;
 use std::ops::{Add, Neg, Sub};
+use std::rc::Rc;
 
 use crate::{Fraction, Rational, Variable};
 
 /// A vector in space whose components are rational functions.
+///
+/// Sums and multiples keep the vectors that they are made of: `s + x n + z k` stays a combination of a position, a normal and a
+/// unit vector until its components are asked for. Derivatives and products of such combinations are found from their
+/// parts, which are much smaller than the components.
 ///
 /// # Example
 /// ```
@@ -14,22 +20,29 @@ use crate::{Fraction, Rational, Variable};
 /// assert_eq!(i.cross(&j), Vector::unit(2));
 /// assert_eq!(i.dot(&i).to_string(), "1");
 /// ```
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone)]
 pub struct Vector {
-    components: [Fraction; 3],
+    /// The summands: scalars other than zero, and what they multiply.
+    parts: Vec<(Fraction, Rc<[Fraction; 3]>)>,
+    components: OnceCell<Rc<[Fraction; 3]>>,
 }
 
 impl Vector {
     /// The vector with the given components.
     #[must_use]
     pub fn new(x: Fraction, y: Fraction, z: Fraction) -> Vector {
-        Vector { components: [x, y, z] }
+        let components = Rc::new([x, y, z]);
+        Vector { parts: vec![(Fraction::one(), components.clone())], components: components.into() }
     }
 
     /// The zero vector.
     #[must_use]
     pub fn zero() -> Vector {
-        Vector::new(Fraction::zero(), Fraction::zero(), Fraction::zero())
+        Vector::of_parts(Vec::new())
+    }
+
+    fn of_parts(parts: Vec<(Fraction, Rc<[Fraction; 3]>)>) -> Vector {
+        Vector { parts, components: OnceCell::new() }
     }
 
     /// The unit vector **i**, **j** or **k** of the axis 0, 1 or 2.
@@ -38,52 +51,73 @@ impl Vector {
     /// If `axis` is above 2.
     #[must_use]
     pub fn unit(axis: usize) -> Vector {
-        let mut vector = Vector::zero();
-        vector.components[axis] = Fraction::one();
-        vector
+        let mut components = [Fraction::zero(), Fraction::zero(), Fraction::zero()];
+        components[axis] = Fraction::one();
+        let [x, y, z] = components;
+        Vector::new(x, y, z)
     }
 
     /// The components x, y and z.
     #[must_use]
     pub fn components(&self) -> &[Fraction; 3] {
-        &self.components
+        self.components.get_or_init(|| match self.parts.as_slice() {
+            [(scalar, vector)] if scalar.is_one() => vector.clone(),
+            parts => Rc::new([0, 1, 2].map(|axis| {
+                let summands = parts.iter().map(|(scalar, vector)| times(scalar, &vector[axis]));
+                summands.fold(Fraction::zero(), |sum, summand| &sum + &summand)
+            })),
+        })
+    }
+
+    /// The vectors that it is a combination of, with their scalar factors.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&Fraction, Vector)> {
+        self.parts.iter().map(|(scalar, vector)| {
+            let part = vec![(Fraction::one(), vector.clone())];
+            (scalar, Vector { parts: part, components: vector.clone().into() })
+        })
     }
 
     /// Whether all components are zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.components.iter().all(Fraction::is_zero)
+        self.components().iter().all(Fraction::is_zero)
     }
 
     /// The vector with `map` applied to each component.
     #[must_use]
     pub fn map(&self, map: impl FnMut(&Fraction) -> Fraction) -> Vector {
-        Vector { components: self.components.each_ref().map(map) }
+        let [x, y, z] = self.components().each_ref().map(map);
+        Vector::new(x, y, z)
     }
 
     /// The product with a scalar.
     #[must_use]
     pub fn scale(&self, factor: &Fraction) -> Vector {
-        self.map(|component| component * factor)
+        if factor.is_zero() {
+            return Vector::zero();
+        }
+        Vector::of_parts(
+            self.parts.iter().map(|(scalar, vector)| (times(scalar, factor), vector.clone())).collect(),
+        )
     }
 
     /// The product with a rational number.
     #[must_use]
     pub fn scale_by(&self, factor: &Rational) -> Vector {
-        self.map(|component| component.scale(factor))
+        self.scale(&Fraction::from(factor.clone()))
     }
 
     /// The scalar product.
     #[must_use]
     pub fn dot(&self, other: &Vector) -> Fraction {
-        let products = self.components.iter().zip(&other.components).map(|(a, b)| a * b);
+        let products = self.components().iter().zip(other.components()).map(|(a, b)| a * b);
         products.fold(Fraction::zero(), |sum, product| &sum + &product)
     }
 
     /// The vector product.
     #[must_use]
     pub fn cross(&self, other: &Vector) -> Vector {
-        let [a, b] = [&self.components, &other.components];
+        let [a, b] = [self.components(), other.components()];
         let minor = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
         Vector::new(minor(1, 2), minor(2, 0), minor(0, 1))
     }
@@ -107,12 +141,24 @@ impl Vector {
     }
 }
 
+/// The product, where 1 leaves the other factor as it is written.
+fn times(scalar: &Fraction, other: &Fraction) -> Fraction {
+    if scalar.is_one() { other.clone() } else { other * scalar }
+}
+
 impl Add for &Vector {
     type Output = Vector;
 
     fn add(self, other: &Vector) -> Vector {
-        let [a, b] = [&self.components, &other.components];
-        Vector::new(&a[0] + &b[0], &a[1] + &b[1], &a[2] + &b[2])
+        let mut parts = self.parts.clone();
+        for (scalar, vector) in &other.parts {
+            match parts.iter_mut().find(|(_, own)| Rc::ptr_eq(own, vector)) {
+                Some((own, _)) => *own = &*own + scalar,
+                None => parts.push((scalar.clone(), vector.clone())),
+            }
+        }
+        parts.retain(|(scalar, _)| !scalar.is_zero());
+        Vector::of_parts(parts)
     }
 }
 
@@ -128,13 +174,27 @@ impl Neg for &Vector {
     type Output = Vector;
 
     fn neg(self) -> Vector {
-        self.map(|component| -component)
+        self.scale_by(&crate::integer(-1))
+    }
+}
+
+impl PartialEq for Vector {
+    fn eq(&self, other: &Vector) -> bool {
+        self.components() == other.components()
+    }
+}
+
+impl Eq for Vector {}
+
+impl fmt::Debug for Vector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 
 impl fmt::Display for Vector {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = &self.components;
+        let [x, y, z] = self.components();
         write!(f, "({x}, {y}, {z})")
     }
 }

@@ -25,12 +25,12 @@ impl Direction {
         let common = Fraction::common_denominator(vector.components());
         let numerators = vector.components().each_ref().map(|component| component.numerator_over(&common));
         let direction = known.iter().find_map(|known| Direction::along(&numerators, known));
-        let direction = direction.unwrap_or_else(|| Direction::of_polynomials(numerators, &[]));
+        let direction = direction.or_else(|| Direction::of_polynomials(numerators, &[]))?;
         Some(direction.times(&Fraction::new(Poly::one(), common)))
     }
 
     /// The vector as a multiple of `direction`, if it is one.
-    fn along(vector: &[Poly; 3], direction: &[Poly; 3]) -> Option<Direction> {
+    pub(super) fn along(vector: &[Poly; 3], direction: &[Poly; 3]) -> Option<Direction> {
         let mut pairs: Vec<(&Poly, &Poly)> = vector.iter().zip(direction).collect();
         pairs.sort_by_key(|(_, component)| component.terms().len());
         pairs.retain(|(_, component)| !component.is_zero());
@@ -44,9 +44,12 @@ impl Direction {
         parallel.then(|| Direction { factor: factor.into(), numerator: direction.clone() })
     }
 
-    /// The direction of a nonzero vector of polynomials. Likely common factors are tried first; the gcd then certifies that
+    /// The direction of a vector of polynomials; `None` for the zero vector. Likely common factors are tried first; the gcd then certifies that
     /// nothing is left in common, which is much cheaper than to find it.
-    fn of_polynomials(mut vector: [Poly; 3], likely: &[&Poly]) -> Direction {
+    pub(super) fn of_polynomials(mut vector: [Poly; 3], likely: &[&Poly]) -> Option<Direction> {
+        if vector.iter().all(Poly::is_zero) {
+            return None;
+        }
         let mut factor = Poly::one();
         for &candidate in likely {
             while let Some(quotient) = divide_all(&vector, candidate) {
@@ -58,23 +61,7 @@ impl Direction {
         let numerator = vector.map(|component| component.exact_div(&gcd).unwrap_or(component));
         let content = Poly::common_content(&numerator);
         let numerator = numerator.map(|component| component.scale(&content.recip()).pruned());
-        Direction { factor: (factor * gcd).scale(&content).into(), numerator }
-    }
-
-    /// The direction of the vector product; `None` where both are parallel.
-    pub(crate) fn cross(&self, other: &Direction) -> Option<Direction> {
-        let [a, b] = [&self.numerator, &other.numerator];
-        let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
-        let product = [minor(1, 2), minor(2, 0), minor(0, 1)];
-        if product.iter().all(Poly::is_zero) {
-            return None;
-        }
-        // What the derivatives were divided by is likely to divide their product once more.
-        let denominators = [&self.factor, &other.factor].into_iter().flat_map(Fraction::factors);
-        let mut likely: Vec<&Poly> = denominators.map(|(factor, _)| factor).collect();
-        likely.dedup();
-        let direction = Direction::of_polynomials(product, &likely);
-        Some(direction.times(&self.factor.reduced_product(&other.factor)))
+        Some(Direction { factor: (factor * gcd).scale(&content).into(), numerator })
     }
 
     /// The opposite numerator with the opposite factor: the same vector.
@@ -82,7 +69,8 @@ impl Direction {
         Direction { factor: -&self.factor, numerator: self.numerator.each_ref().map(|component| -component) }
     }
 
-    fn times(&self, factor: &Fraction) -> Direction {
+    /// A multiple of the vector.
+    pub(super) fn times(&self, factor: &Fraction) -> Direction {
         Direction { factor: self.factor.reduced_product(factor), numerator: self.numerator.clone() }
     }
 }

@@ -1,5 +1,6 @@
 //! Rational surfaces: coordinates, degrees, normals and offsets.
 
+pub(crate) mod combination;
 pub(crate) mod common_zero;
 pub(crate) mod conditions;
 pub(crate) mod control_net;

@@ -4,8 +4,8 @@ use std::cell::OnceCell;
 
 use num_traits::{One, Signed};
 
+use super::combination::Combination;
 use super::direction::Direction;
-use super::homogeneous::Homogeneous;
 use super::squared_length::SquaredLength;
 use crate::geometry::sample::sample_sign_on_box;
 use crate::{Fraction, Interval, Poly, Rational, Variable, Vector, budget};
@@ -44,24 +44,24 @@ impl Normal {
     /// The normal of a surface; `None` if `R_u × R_v` vanishes identically, so that it is no surface but a curve or a
     /// point. `domain` is where the parameters run; `directions` are tried for the derivatives.
     ///
-    /// The derivatives keep the factors of the weight as their denominators; each is split into a factor and a direction,
-    /// and only the directions are multiplied.
+    /// The derivatives are kept as combinations of the directions that the position is made of, with the known factors of their
+    /// denominators.
     #[must_use]
     pub(crate) fn of(
-        surface: &Homogeneous,
+        position: &Vector,
+        parameters: &[Variable; 2],
         domain: &[Interval; 2],
         directions: &[[Poly; 3]],
     ) -> Option<Normal> {
-        let [u, v] = surface.parameters();
-        let position = surface.cartesian();
-        let along_u = Direction::of(&position.derivative(u), directions)?;
-        let along_v = Direction::of(&position.derivative(v), directions)?;
-        let mut cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v))?;
-        if sample_sign_on_box(&cross.factor, surface.parameters(), domain).is_lt() {
+        let [u, v] = parameters;
+        let along_u = Combination::derivative(position, u, directions)?;
+        let along_v = Combination::derivative(position, v, directions)?;
+        let mut cross = budget::doing("the product of R_u and R_v", || along_u.cross(&along_v, directions))?;
+        if sample_sign_on_box(&cross.factor, parameters, domain).is_lt() {
             cross = cross.reversed();
         }
         let Direction { factor, numerator } = cross;
-        Some(Normal { numerator, factor, parameters: surface.parameters().clone(), length: OnceCell::new() })
+        Some(Normal { numerator, factor, parameters: parameters.clone(), length: OnceCell::new() })
     }
 
     /// The components of the numerator.

@@ -299,8 +299,9 @@ impl SweptSurface {
     /// # Errors
     /// [`OffsetError::NoSurface`] if `R_u × R_v` vanishes identically.
     pub fn normal(&self) -> Result<&Normal, OffsetError> {
-        let normal =
-            self.normal.get_or_init(|| Normal::of(self.homogeneous(), &self.domain, &self.directions));
+        let normal = self
+            .normal
+            .get_or_init(|| Normal::of(&self.position, &self.parameters, &self.domain, &self.directions));
         normal.as_ref().ok_or(OffsetError::NoSurface)
     }
 

@@ -70,8 +70,11 @@ impl<'a> Division<'a> {
         small.map(|boxes| Division { ring, a, b, bound, boxes }).collect()
     }
 
-    /// The quotient, or `None` if the divisor does not divide; `None` as a whole if the cells are too narrow.
-    pub(super) fn run<C: DivisibleCell>(&self) -> Option<Option<Vec<Term>>> {
+    /// The quotient, or `None` if the divisor does not divide.
+    ///
+    /// # Errors
+    /// [`TooNarrow`] if cells of this type do not hold all sums, which is not known before.
+    pub(super) fn run<C: DivisibleCell>(&self) -> Result<Option<Vec<Term>>, TooNarrow> {
         let boxes = &self.boxes;
         let bits = |terms: &[Term]| terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0);
         // A cell sums at most as many products as the divisor has terms, and one term of the dividend.
@@ -79,7 +82,7 @@ impl<'a> Division<'a> {
         let room =
             widest.saturating_sub(bits(self.b) + u64::from(usize::BITS - self.b.len().leading_zeros()));
         if bits(self.a) >= widest || bits(self.b) >= widest {
-            return None;
+            return Err(TooNarrow);
         }
         let coefficients =
             |terms: &[Term]| terms.iter().map(|term| C::of(&term.coefficient)).collect::<Vec<C>>();
@@ -96,7 +99,7 @@ impl<'a> Division<'a> {
         loop {
             let own = (next + 1 < groups[0].len()).then(|| prefix(self.a, groups[0][next]));
             let Some(current) = own.max(waiting.peek().map(|pair| pair.0)) else {
-                return Some(Some(quotient.terms));
+                return Ok(Some(quotient.terms));
             };
             if own == Some(current) {
                 // Most attempts end in the first box.
@@ -119,9 +122,9 @@ impl<'a> Division<'a> {
                 let monomial =
                     self.ring.quotient(word, first).filter(|&m| self.ring.quotient(self.bound, m).is_some());
                 let negated = sums.take(place).negated_quotient(&values[0]);
-                let (Some(monomial), Some(negated)) = (monomial, negated) else { return Some(None) };
+                let (Some(monomial), Some(negated)) = (monomial, negated) else { return Ok(None) };
                 if negated.bits() > room {
-                    return None;
+                    return Err(TooNarrow);
                 }
                 // Exponents are not smaller than those of the first term, so neither is the place.
                 let from = place - places[0];
@@ -138,6 +141,10 @@ impl<'a> Division<'a> {
         }
     }
 }
+
+/// The cells of an array are too narrow for a division.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TooNarrow;
 
 /// The quotient as far as it is known.
 struct Quotient<C> {

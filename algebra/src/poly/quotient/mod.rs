@@ -15,7 +15,6 @@ mod heap;
 mod modular;
 mod monic;
 
-use super::boxes::cell::DivisibleCell;
 use super::evaluation::image_excludes;
 use super::ring::Monomial;
 use super::{Poly, Term};
@@ -43,29 +42,23 @@ pub(super) fn quotient(a: &Poly, b: &Poly) -> Option<Poly> {
         let terms = integer_quotient(a, b, bound)?;
         return Some(Poly::from_sorted(ring.clone(), &a.content / &b.content, terms));
     }
-    if a.terms.len() * b.terms.len() > MODULAR_FROM {
+    if a.terms.len() * b.terms.len() > MODULAR_FROM || !monic::suits(b) {
         return modular::quotient(a, b);
     }
-    // b = c·m with m monic over the field, so a/b = (a/m)/c.
-    let inverse = b.leading_coefficient().inverse();
-    let quotient = monic::divide(ring, a, &(b * &inverse).transfer_to(ring), bound)?;
-    Some(quotient * inverse)
+    monic::quotient(a, b, bound)
 }
 
 fn integer_quotient(a: &Poly, b: &Poly, bound: Monomial) -> Option<Vec<Term>> {
     if b.terms.len() > 1
         && let Some(division) = Division::new(&a.ring, &a.terms, &b.terms, bound)
     {
-        // The width of the quotient is not known beforehand.
-        let found = in_cells::<i64>(&division).or_else(|| in_cells::<i128>(&division));
-        return found.or_else(|| in_cells::<Int>(&division))?;
+        let found =
+            division.run::<i64>().or_else(|_| division.run::<i128>()).or_else(|_| division.run::<Int>());
+        if let Ok(found) = found {
+            return found;
+        }
     }
     heap::divide(&a.ring, &a.terms, &b.terms, bound)
-}
-
-/// What a division finds in cells of one width; `None` if they are too narrow.
-fn in_cells<C: DivisibleCell>(division: &Division<'_>) -> Option<Option<Vec<Term>>> {
-    division.run::<C>()
 }
 
 #[cfg(test)]

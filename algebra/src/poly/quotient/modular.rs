@@ -1,15 +1,12 @@
 //! Exact quotients of large polynomials, by way of primes.
 
-use std::collections::BTreeMap;
-
 use num_traits::{Signed, Zero};
 
+use crate::Int;
 use crate::modular::field::PrimeField;
 use crate::modular::lift::Chinese;
 use crate::poly::Poly;
 use crate::poly::images::Frame;
-use crate::poly::ring::Monomial;
-use crate::{Int, Rational};
 
 /// The quotient of polynomials, if `divisor`, which is not zero, divides.
 ///
@@ -52,10 +49,6 @@ pub(super) fn quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
             continue;
         }
         known.absorb(splitting.field(), &splitting.lift_coefficients(&images));
-        let build = |values: BTreeMap<(u128, usize), Rational>| {
-            let terms = values.into_iter().map(|((word, index), value)| (frame.monomial(word, index), value));
-            Poly::from_rational_terms(a.ring.clone(), terms.collect::<Vec<(Monomial, Rational)>>())
-        };
         if frame.is_rational() {
             // Primitive integer polynomials have an integer quotient, by Gauss's lemma.
             let values = known.symmetric();
@@ -66,11 +59,10 @@ pub(super) fn quotient(dividend: &Poly, divisor: &Poly) -> Option<Poly> {
                 [&a, &b].map(|poly| largest(&mut poly.terms.iter().map(|term| term.coefficient.clone())));
             let count = Int::from(values.len().min(b.terms.len()) as u64);
             if &sizes[0] + count * &sizes[1] * largest(&mut values.values().cloned()) < *known.modulus() {
-                let rational = values.into_iter().map(|(key, value)| (key, Rational::from(value)));
-                return Some(build(rational.collect()).scale(&content));
+                return Some(frame.poly((values.into_iter().collect(), Int::ONE)).scale(&content));
             }
         } else if let Some(values) = known.reconstruct() {
-            let quotient = build(values.into_iter().collect());
+            let quotient = frame.poly(values);
             if &quotient * b.primitive() == a.primitive() {
                 return Some(quotient.scale(&content));
             }
