@@ -61,15 +61,23 @@ fn is_left_out(command: &str) -> bool {
     ["cargo test", "cargo bench", "cargo install", ".ci/"].iter().any(|start| command.starts_with(start))
 }
 
-/// The command with `cargo run …` in place of the built binary.
+/// The command with the built binary, or the built example, in place of `cargo run …`.
 fn on_the_binary(command: &str) -> String {
-    let binary = format!("'{}'", built().binary.display());
-    if let Some(arguments) = command.strip_prefix("cargo run") {
-        let arguments = arguments.strip_prefix(" --release").unwrap_or(arguments);
-        return format!("{binary}{}", arguments.strip_prefix(" --").unwrap_or(arguments));
+    let built = built();
+    if let Some(rest) = command.strip_prefix("cargo run") {
+        let (options, arguments) = rest.split_once(" -- ").unwrap_or((rest, ""));
+        let program = match options.split_once(" --example ") {
+            None => &built.binary,
+            Some((_, name)) => {
+                built.examples.get(name.trim()).unwrap_or_else(|| panic!("there is no example of {command}"))
+            }
+        };
+        return format!("'{}' {arguments}", program.display()).trim_end().to_owned();
     }
     match command.strip_prefix("hodograph") {
-        Some(rest) if rest.is_empty() || rest.starts_with(' ') => format!("{binary}{rest}"),
+        Some(rest) if rest.is_empty() || rest.starts_with(' ') => {
+            format!("'{}'{rest}", built.binary.display())
+        }
         _ => command.to_owned(),
     }
 }
@@ -96,6 +104,9 @@ fn blocks_are_read_as_meant() {
     {
         assert_eq!(on_the_binary(command), verify);
     }
+    let costs = on_the_binary("cargo run --release -p hodograph-tests --example costs -- --runs 1");
+    assert_eq!(costs, format!("'{}' --runs 1", built().examples["costs"].display()));
+    assert_eq!(on_the_binary("cargo run --release"), format!("'{}'", built().binary.display()));
 }
 
 #[test]

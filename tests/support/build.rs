@@ -1,5 +1,6 @@
 //! What tests build and run: the command, the library, and Rust sources on their own.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -11,6 +12,8 @@ use serde_json::Value;
 pub struct Built {
     /// The command `hodograph`.
     pub binary: PathBuf,
+    /// The examples of all packages, by name.
+    pub examples: BTreeMap<String, PathBuf>,
     /// The compiled library `hodograph`.
     pub library: PathBuf,
     /// The folder of the compiled libraries that it names.
@@ -65,10 +68,17 @@ pub fn built() -> &'static Built {
             .flatten()
             .filter_map(Value::as_str)
             .find(|name| name.ends_with(".rlib"));
+        let is_example = |message: &&Value| message["target"]["kind"][0] == "example";
+        let named = |message: &Value| {
+            let name = message["target"]["name"].as_str()?;
+            Some((name.to_owned(), message["executable"].as_str()?.into()))
+        };
+        let examples = messages.iter().filter(is_example).filter_map(named).collect();
         let (Some(binary), Some(library)) = (binary, library) else {
             panic!("cargo names no command or no library: {messages:?}")
         };
-        Built { binary: binary.into(), library: library.into(), dependencies: profile_folder().join("deps") }
+        let dependencies = profile_folder().join("deps");
+        Built { binary: binary.into(), examples, library: library.into(), dependencies }
     })
 }
 

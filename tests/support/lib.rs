@@ -3,6 +3,7 @@
 
 pub mod build;
 pub mod catalogue;
+pub mod cost;
 pub mod digest;
 pub mod fixed;
 pub mod layout;

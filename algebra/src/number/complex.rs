@@ -1,6 +1,5 @@
 //! Complex numbers whose parts are polynomials, numbers of the field in particular.
 
-use std::cmp::Ordering;
 use std::fmt;
 use std::ops::Neg;
 
@@ -166,8 +165,7 @@ pub(crate) fn minimize_complex<const N: usize>(numbers: &[Complex; N]) -> [Compl
 
 /// The root of a number that the caller knows not to be negative.
 fn nonnegative_sqrt(number: &Poly) -> Poly {
-    debug_assert!(number.sign() != Ordering::Less);
-    number.sqrt().unwrap_or_else(Poly::zero)
+    number.sqrt().expect("the caller knows that the number is not negative")
 }
 
 impl From<Poly> for Complex {
@@ -220,6 +218,8 @@ impl Neg for Complex {
 
 #[cfg(test)]
 mod tests {
+    use std::cmp::Ordering;
+
     use super::*;
 
     fn gauss(re: i64, im: i64) -> Complex {

@@ -30,7 +30,7 @@ pub(super) struct Body {
 impl Body {
     /// The body that computes `results` where the values `given` have expressions already.
     pub(super) fn new(code: &Code<'_>, results: &[Value], given: &BTreeMap<Value, TokenStream>) -> Body {
-        let Code { program, functions, .. } = code;
+        let Code { program, functions, names, .. } = code;
         let known = |value: Value| given.contains_key(&value) || functions.contains_key(&value);
         let needed = needed(program, results, known);
         let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
@@ -41,7 +41,6 @@ impl Body {
         }
         let mut writer = Writer { code, program, variables: given.clone(), inputs: BTreeSet::new() };
         let mut statements = TokenStream::new();
-        let names = Names::new(program);
         for value in needed {
             let repeated = uses.get(&value).is_some_and(|&count| count > 1);
             // A single result is returned without being named first.

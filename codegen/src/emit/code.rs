@@ -1,11 +1,12 @@
 //! What all functions of a surface's evaluator share: its program, and the names of its parts.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::body::Body;
+use super::body::{Body, Names};
 use super::polynomial::functions;
 use crate::program::{Program, Stage, Value};
 
@@ -20,6 +21,8 @@ pub(super) struct Code<'a> {
     pub(super) fields: Vec<(Ident, Vec<Value>)>,
     /// Values that have an expression already: the coefficients of a family.
     pub(super) given: BTreeMap<Value, TokenStream>,
+    /// The names of variables.
+    pub(super) names: Rc<Names>,
 }
 
 impl<'a> Code<'a> {
@@ -33,15 +36,15 @@ impl<'a> Code<'a> {
                 given.entry(*value).or_insert_with(|| quote! { self.coefficients.#name[#place] });
             }
         }
-        Code { program, runtime, functions, fields, given }
+        Code { program, runtime, functions, fields, given, names: Rc::new(Names::new(program)) }
     }
 
     /// The same where the function of the polynomial `value` is not to be called, for its own body.
     pub(super) fn within(&self, value: Value) -> Code<'a> {
         let mut functions = self.functions.clone();
         functions.remove(&value);
-        let (fields, given) = (self.fields.clone(), self.given.clone());
-        Code { functions, fields, given, program: self.program, runtime: self.runtime }
+        let (fields, given, names) = (self.fields.clone(), self.given.clone(), Rc::clone(&self.names));
+        Code { functions, fields, given, names, program: self.program, runtime: self.runtime }
     }
 
     /// Whether the surface has coefficients of its own.

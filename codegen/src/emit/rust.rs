@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Artifact;
-use super::body::{Body, Names, literal};
+use super::body::{Body, literal};
 use super::code::Code;
 use super::family;
 use super::polynomial::polynomials;
@@ -224,7 +224,6 @@ fn evaluator(text: &str, name: &str, body: &Body, size: usize) -> TokenStream {
 fn point(code: &Code<'_>) -> TokenStream {
     let (program, runtime) = (code.program, code.runtime);
     let results = program.results(outputs::POINT);
-    let names = Names::new(program);
     let mut parts = [BTreeSet::new(), BTreeSet::new()];
     let mut frontier = |value: Value| match program.stage(value) {
         Stage::U => _ = parts[0].insert(value),
@@ -259,8 +258,8 @@ fn point(code: &Code<'_>) -> TokenStream {
     };
     let function_of_u = part(&of_u, Input::U, "of_u", Stage::U);
     let function_of_v = part(&of_v, Input::V, "of_v", Stage::V);
-    let given =
-        of_u.iter().chain(&of_v).map(|&value| (value, names.of(program, value).to_token_stream())).collect();
+    let named = |&value| (value, code.names.of(program, value).to_token_stream());
+    let given = of_u.iter().chain(&of_v).map(named).collect();
     let Body { statements, results: joined, .. } = code.body_given(results, &given);
     let (names_u, names_v) = (of_u.iter().map(|value| &given[value]), of_v.iter().map(|value| &given[value]));
     let (size_u, size_v) = (Literal::usize_unsuffixed(of_u.len()), Literal::usize_unsuffixed(of_v.len()));
