@@ -450,3 +450,35 @@ fn help_names_the_exit_status() {
         assert!(help.out.contains(part), "{}", help.out);
     }
 }
+
+#[test]
+fn a_budget_is_a_limit_for_each_command() {
+    let source = "sweep tube {
+    profile p(u) = (1 - u^2)/(1 + u^2)*i + 2*u/(1 + u^2)*k;
+    path s(v) = ph(5);
+    surface R = s + p.x*s.normal + p.z*k;
+    domain u in 0..1, v in 0..1;
+    claim \"power\": (1 + u + v)^200 != 1;
+}";
+    let with = |arguments: &[&str]| run_with(source.as_bytes(), arguments);
+    let derive = with(&["derive", "-", "--budget", "100_000", "--format", "json"]);
+    derive.refused("this needs more than the budget of 100000 units of work; it was computing ");
+    assert!(derive.err.contains("after the homogeneous coordinates ("), "{}", derive.err);
+    assert!(derive.err.contains("<standard input>:4:17"), "{}", derive.err);
+    with(&["emit", "-", "--target", "rust", "--budget", "100_000"]).refused("the budget of 100000 units");
+    with(&["eval", "-", "--u", "1/2", "--v", "sqrt(2)", "--budget", "10"]).refused("the budget of 10 units");
+    // What does not fit into the definitions has the place of the innermost expression, and what does not fit into a claim
+    // leaves it undecided.
+    let verify = with(&["verify", "-", "--budget", "500"]);
+    verify.refused("the budget of 500 units of work");
+    let verdict = with(&["verify", "-", "--budget", "20_000", "--format", "json"]).json(3);
+    let claim = &verdict["claims"][0];
+    assert_eq!(claim["verdict"], "undecided");
+    assert!(
+        claim["derived"].as_str().is_some_and(|text| text.contains("the budget of 20000 units")),
+        "{claim}"
+    );
+    for wrong in ["0", "1e6", "-5"] {
+        assert_eq!(with(&["verify", "-", "--budget", wrong]).status, 2);
+    }
+}

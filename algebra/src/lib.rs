@@ -39,7 +39,8 @@
 //! assert_eq!(derivation.field.degree(), 4);
 //! assert!(derivation.offset.is_rational() && derivation.singular.is_regular());
 //! ```
-
+#![doc = include_str!("algorithms.md")]
+#![doc = include_str!("growth.md")]
 #![deny(clippy::float_arithmetic)]
 
 pub mod budget;
@@ -61,7 +62,6 @@ pub use geometry::hermite::{Hermite, HermiteDatum, HermiteError, HermiteSolution
 pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
 pub use geometry::vector::Vector;
 pub use integral::Integral;
-pub use number::algebraic::minimize_field;
 pub use number::complex::Complex;
 pub use number::enclosure::Enclosure;
 pub use number::field::{Generator, NumberField, Relation};
@@ -69,6 +69,7 @@ pub use number::int::Int;
 pub use number::rational::{
     MAX_DECIMAL_EXPONENT, Rational, integer, parse_decimal, ratio, rational_gcd, rational_sqrt, square_part,
 };
+pub use number::subfield::minimize_field;
 pub use number::trig::{MAX_ANGLE_HALVINGS, NotConstructible, cos_pi, exp_i_pi, sin_pi};
 pub use poly::{Monomial, Poly, Ring, SquareSplit, Squarefree, Term, Variable};
 pub use real::bernstein::{Axis, Bernstein};

@@ -1,45 +1,22 @@
 //! Real roots against Sturm's theorem and against polynomials with known roots, and signs on boxes against samples.
 
+#[path = "support/config.rs"]
+mod config;
+#[path = "support/intervals.rs"]
+mod intervals;
 #[path = "naive/sturm.rs"]
 mod sturm;
 
 use std::cmp::Ordering;
 
-use hodograph_algebra::{BoxSign, Interval, Poly, RealRoot, Variable, budget, integer, ratio};
+use config::config;
+use hodograph_algebra::{BoxSign, Interval, Poly, RealRoot, budget, integer, ratio};
+use intervals::{intervals, numbers, root2, u, v};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use sturm::count_roots;
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(0x50_48),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
-fn u() -> Variable {
-    Variable::new(0, "u")
-}
-
-fn v() -> Variable {
-    Variable::new(1, "v")
-}
 
 fn x() -> Poly {
     Poly::variable(&u())
-}
-
-fn root2() -> Poly {
-    Poly::sqrt_of(&integer(2))
-}
-
-fn numbers() -> impl Strategy<Value = Poly> {
-    (-9_i64..10, 1_i64..4, -3_i64..4, any::<bool>()).prop_map(|(n, d, r, irrational)| {
-        let irrational = if irrational { root2().scale(&integer(r)) } else { Poly::zero() };
-        Poly::constant(ratio(n, d)) + irrational
-    })
 }
 
 fn integers() -> impl Strategy<Value = Poly> {
@@ -50,12 +27,6 @@ fn polynomials(coefficients: impl Strategy<Value = Poly>, degree: usize) -> impl
     prop::collection::vec(coefficients, 1..degree + 2)
         .prop_map(|coefficients| Poly::from_coefficients(&u(), &coefficients))
         .prop_filter("zero has no isolated roots", |poly| !poly.is_zero())
-}
-
-fn intervals() -> impl Strategy<Value = Interval> {
-    (numbers(), numbers()).prop_filter_map("an interval has ends in order", |(a, b)| {
-        Interval::new(a.clone(), b.clone()).or_else(|| Interval::new(b, a))
-    })
 }
 
 /// Checks the roots of `poly` in the interval in all ways that do not need to know them.
@@ -233,4 +204,74 @@ fn work_is_counted() {
     let f = x().pow(60) - Poly::integer(2) * x() + Poly::constant(ratio(1, 3));
     let error = budget::with_budget(1000, || f.real_roots(&u())).unwrap_err();
     assert!(error.to_string().contains("more than the budget"));
+}
+
+/// A number of degree 8.
+fn degree8() -> Poly {
+    let root = Poly::sqrt_of(&integer(3)) + root2();
+    (root + Poly::integer(5)).sqrt().expect("the number is positive")
+}
+
+#[test]
+fn clusters_are_separated() {
+    // x^20 − 2·(100x − 1)²: two roots that agree to some 20 digits.
+    let mignotte = x().pow(20) - (x().scale(&integer(100)) - Poly::one()).pow(2).scale(&integer(2));
+    let roots = mignotte.real_roots_in(&u(), &Interval::unit()).unwrap();
+    assert_eq!(roots.len(), count_roots(&mignotte, &u(), &Poly::zero(), &Poly::one()));
+    let hundredth = Poly::constant(ratio(1, 100));
+    assert_eq!(roots[0].compare_number(&hundredth), Ordering::Less);
+    assert_eq!(roots[1].compare_number(&hundredth), Ordering::Greater);
+    assert_eq!(roots[0].to_decimal(20), roots[1].to_decimal(20));
+    assert_ne!(roots[0].to_decimal(24), roots[1].to_decimal(24));
+    // The same around an irrational number, with irrational coefficients.
+    let shifted = mignotte.substitute(&u(), &(x() - root2()));
+    let interval = Interval::new(root2(), root2() + Poly::one()).unwrap();
+    let found = shifted.real_roots_in(&u(), &interval).unwrap();
+    assert_eq!(found.len(), roots.len());
+    assert_eq!(found[0].compare_number(&(root2() + &hundredth)), Ordering::Less);
+}
+
+#[test]
+fn roots_over_nested_fields_are_exact() {
+    let theta = degree8();
+    assert_eq!(theta.ring().field().degree(), 8);
+    // Roots at both ends of the interval, a double one, and one that is no number of the field.
+    let cubic = x().pow(3) - &theta * &x() - Poly::one();
+    let f = (x() - &theta) * (x() - root2()).pow(2) * (x() + Poly::one()).pow(3) * &cubic;
+    let interval = Interval::new(Poly::integer(-1), theta.clone()).unwrap();
+    let roots = f.real_roots_in(&u(), &interval).unwrap();
+    let exact: Vec<Option<&Poly>> = roots.iter().map(RealRoot::exact).collect();
+    let multiplicities: Vec<u32> = roots.iter().map(RealRoot::multiplicity).collect();
+    assert_eq!(roots.len(), count_roots(&f, &u(), interval.lower(), interval.upper()));
+    assert_eq!(exact[0], Some(&Poly::integer(-1)));
+    assert!(roots.last().is_some_and(|last| last.compare_number(&theta).is_eq()));
+    assert_eq!(multiplicities.iter().sum::<u32>() as usize, roots.len() + 3);
+    for root in &roots {
+        assert_eq!(root.sign_of(&f), Some(Ordering::Equal));
+    }
+    // Inside of the interval alone, neither end is a root.
+    let inner =
+        Interval::new(Poly::constant(ratio(-99, 100)), &theta - Poly::constant(ratio(1, 1000))).unwrap();
+    assert_eq!(f.real_roots_in(&u(), &inner).unwrap().len(), roots.len() - 2);
+}
+
+proptest! {
+    #![proptest_config(config(12))]
+
+    #[test]
+    fn counts_agree_with_sturm_in_degree_8(
+        coefficients in prop::collection::vec((-5_i64..6, -3_i64..4, -2_i64..3), 2..5),
+        interval in intervals(),
+    ) {
+        let theta = degree8();
+        let number = |&(a, b, c): &(i64, i64, i64)| {
+            Poly::integer(a) + root2().scale(&integer(b)) + theta.scale(&integer(c))
+        };
+        let coefficients: Vec<Poly> = coefficients.iter().map(number).collect();
+        let f = Poly::from_coefficients(&u(), &coefficients);
+        if !f.is_zero() {
+            let roots = f.real_roots_in(&u(), &interval).expect("the polynomial is not zero");
+            prop_assert_eq!(roots.len(), count_roots(&f, &u(), interval.lower(), interval.upper()));
+        }
+    }
 }

@@ -57,13 +57,13 @@ impl fmt::Display for CompileError {
 
 impl std::error::Error for CompileError {}
 
-/// Derives a model's surface under the budget.
+/// Derives a model's surface within the [limit](Model::limit) of the model.
 ///
 /// # Errors
 /// [`CompileError`] up to the derivation.
 pub fn derive(model: &Model) -> Result<Derivation, CompileError> {
     let surface = model.surface.as_ref().ok_or(CompileError::NoSurface)?;
-    match budget::with_budget(budget::DEFAULT_LIMIT, || surface.derive()) {
+    match budget::with_budget(model.limit, || surface.derive()) {
         Ok(derivation) => derivation.map_err(CompileError::Degenerate),
         Err(exhausted) => Err(CompileError::Exhausted(exhausted)),
     }
@@ -129,7 +129,7 @@ fn positive(poly: &Poly, derivation: &Essentials) -> bool {
     matches!(poly.sign_on(&domain), Some(BoxSign::Positive))
 }
 
-/// The artifact of a model: everything that is emitted for it.
+/// The artifact of a model: everything that is emitted for it, within the [limit](Model::limit) of the model.
 ///
 /// # Errors
 /// [`CompileError`].
@@ -150,8 +150,7 @@ fn positive(poly: &Poly, derivation: &Essentials) -> bool {
 /// ```
 pub fn compile(model: &Model) -> Result<Artifact, CompileError> {
     let work = || budget::doing("the evaluator", || compile_unlimited(model));
-    budget::with_budget(budget::DEFAULT_LIMIT, work)
-        .unwrap_or_else(|exhausted| Err(CompileError::Exhausted(exhausted)))
+    budget::with_budget(model.limit, work).unwrap_or_else(|exhausted| Err(CompileError::Exhausted(exhausted)))
 }
 
 fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {

@@ -813,10 +813,11 @@ fn expressions_beyond_limits() {
         |depth: usize| (0..depth).fold("2".to_owned(), |radicand, _| format!("1 + sqrt({radicand})"));
     let primes = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71];
     let independent = primes.map(|prime| format!("sqrt({prime})")).join(" + ");
-    for number in [nested(20), independent] {
+    // The place is that of the 17th root from within.
+    for (number, column) in [(nested(20), 50), (independent, 19)] {
         mistake(
             &format!("lemma t {{ let a = {number}; }}"),
-            "t:1:19: these numbers need more than 16 independent square roots",
+            &format!("t:1:{column}: these numbers need more than 16 independent square roots"),
         );
     }
     // The 65th level is the 33rd radicand.
@@ -825,7 +826,15 @@ fn expressions_beyond_limits() {
         "t:1:307: this is nested more than 64 levels deep",
     );
     let doubled = (0..31).fold("2".to_owned(), |number, _| format!("norm2(({number}, 1))"));
-    mistake(&format!("lemma t {{ let a = {doubled}; }}"), "t:1:19: this needs more than the budget");
+    // The place is that of the innermost product that is too large.
+    let text = format!("lemma t {{ let a = {doubled}; }}");
+    let (file, source) = parse_text("t", &text).expect("the text is well-formed");
+    let lines = Report::new(source, models(&file).1).lines();
+    assert!(
+        matches!(lines.as_slice(), [line] if line.contains(": this needs more than the budget")),
+        "{lines:?}"
+    );
+    assert!(!lines[0].starts_with("t:1:19:"), "{lines:?}");
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! Vectors of rational functions.
 
-use std::cell::OnceCell;
 use std::fmt;
 use std::ops::{Add, Neg, Sub};
 use std::rc::Rc;
@@ -9,9 +8,8 @@ use crate::{Fraction, Rational, Variable};
 
 /// A vector in space whose components are rational functions.
 ///
-/// Sums and multiples keep the vectors that they are made of: `s + x n + z k` stays a combination of a position, a normal and a
-/// unit vector until its components are asked for. Derivatives and products of such combinations are found from their
-/// parts, which are much smaller than the components.
+/// Sums and multiples remember the vectors that they are made of: `s + x n + z k` knows that it is a combination of a position, a
+/// normal and a unit vector. Its derivatives are found from these parts, which are much smaller than the components.
 ///
 /// # Example
 /// ```
@@ -22,27 +20,25 @@ use crate::{Fraction, Rational, Variable};
 /// ```
 #[derive(Clone)]
 pub struct Vector {
-    /// The summands: scalars other than zero, and what they multiply.
-    parts: Vec<(Fraction, Rc<[Fraction; 3]>)>,
-    components: OnceCell<Rc<[Fraction; 3]>>,
+    components: Rc<[Fraction; 3]>,
+    /// Scalars other than zero, and what they multiply, if it was made as a combination.
+    parts: Option<Rc<[Part]>>,
 }
+
+/// A summand of a combination: a scalar and the components of what it multiplies.
+type Part = (Fraction, Rc<[Fraction; 3]>);
 
 impl Vector {
     /// The vector with the given components.
     #[must_use]
     pub fn new(x: Fraction, y: Fraction, z: Fraction) -> Vector {
-        let components = Rc::new([x, y, z]);
-        Vector { parts: vec![(Fraction::one(), components.clone())], components: components.into() }
+        Vector { components: Rc::new([x, y, z]), parts: None }
     }
 
     /// The zero vector.
     #[must_use]
     pub fn zero() -> Vector {
-        Vector::of_parts(Vec::new())
-    }
-
-    fn of_parts(parts: Vec<(Fraction, Rc<[Fraction; 3]>)>) -> Vector {
-        Vector { parts, components: OnceCell::new() }
+        Vector::new(Fraction::zero(), Fraction::zero(), Fraction::zero())
     }
 
     /// The unit vector **i**, **j** or **k** of the axis 0, 1 or 2.
@@ -53,34 +49,32 @@ impl Vector {
     pub fn unit(axis: usize) -> Vector {
         let mut components = [Fraction::zero(), Fraction::zero(), Fraction::zero()];
         components[axis] = Fraction::one();
-        let [x, y, z] = components;
-        Vector::new(x, y, z)
+        Vector { components: Rc::new(components), parts: None }
     }
 
     /// The components x, y and z.
     #[must_use]
     pub fn components(&self) -> &[Fraction; 3] {
-        self.components.get_or_init(|| match self.parts.as_slice() {
-            [(scalar, vector)] if scalar.is_one() => vector.clone(),
-            parts => Rc::new([0, 1, 2].map(|axis| {
-                let summands = parts.iter().map(|(scalar, vector)| times(scalar, &vector[axis]));
-                summands.fold(Fraction::zero(), |sum, summand| &sum + &summand)
-            })),
-        })
+        &self.components
     }
 
     /// The vectors that it is a combination of, with their scalar factors.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = (&Fraction, Vector)> {
-        self.parts.iter().map(|(scalar, vector)| {
-            let part = vec![(Fraction::one(), vector.clone())];
-            (scalar, Vector { parts: part, components: vector.clone().into() })
-        })
+    pub(crate) fn parts(&self) -> Vec<(Fraction, Vector)> {
+        let part = |(scalar, vector): Part| (scalar, Vector { components: vector, parts: None });
+        self.summands().into_iter().map(part).collect()
+    }
+
+    fn summands(&self) -> Vec<Part> {
+        match &self.parts {
+            Some(parts) => parts.to_vec(),
+            None => vec![(Fraction::one(), self.components.clone())],
+        }
     }
 
     /// Whether all components are zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.components().iter().all(Fraction::is_zero)
+        self.components.iter().all(Fraction::is_zero)
     }
 
     /// The vector with `map` applied to each component.
@@ -93,18 +87,17 @@ impl Vector {
     /// The product with a scalar.
     #[must_use]
     pub fn scale(&self, factor: &Fraction) -> Vector {
-        if factor.is_zero() {
-            return Vector::zero();
-        }
-        Vector::of_parts(
-            self.parts.iter().map(|(scalar, vector)| (times(scalar, factor), vector.clone())).collect(),
-        )
+        let parts = self.summands().into_iter().map(|(scalar, vector)| (times(&scalar, factor), vector));
+        let parts = parts.filter(|(scalar, _)| !scalar.is_zero()).collect();
+        Vector { parts: Some(parts), ..self.map(|component| component * factor) }
     }
 
     /// The product with a rational number.
     #[must_use]
     pub fn scale_by(&self, factor: &Rational) -> Vector {
-        self.scale(&Fraction::from(factor.clone()))
+        let parts = self.summands().into_iter().map(|(scalar, vector)| (scalar.scale(factor), vector));
+        let parts = parts.filter(|(scalar, _)| !scalar.is_zero()).collect();
+        Vector { parts: Some(parts), ..self.map(|component| component.scale(factor)) }
     }
 
     /// The scalar product.
@@ -137,28 +130,30 @@ impl Vector {
     /// The vector with known factors cancelled in each component.
     #[must_use]
     pub fn reduced(&self) -> Vector {
-        self.map(Fraction::reduced)
+        Vector { parts: self.parts.clone(), ..self.map(Fraction::reduced) }
     }
 }
 
 /// The product, where 1 leaves the other factor as it is written.
-fn times(scalar: &Fraction, other: &Fraction) -> Fraction {
-    if scalar.is_one() { other.clone() } else { other * scalar }
+fn times(scalar: &Fraction, factor: &Fraction) -> Fraction {
+    if scalar.is_one() { factor.clone() } else { scalar * factor }
 }
 
 impl Add for &Vector {
     type Output = Vector;
 
     fn add(self, other: &Vector) -> Vector {
-        let mut parts = self.parts.clone();
-        for (scalar, vector) in &other.parts {
-            match parts.iter_mut().find(|(_, own)| Rc::ptr_eq(own, vector)) {
-                Some((own, _)) => *own = &*own + scalar,
-                None => parts.push((scalar.clone(), vector.clone())),
+        let mut parts = self.summands();
+        for (scalar, vector) in other.summands() {
+            match parts.iter_mut().find(|(_, own)| Rc::ptr_eq(own, &vector)) {
+                Some((own, _)) => *own = &*own + &scalar,
+                None => parts.push((scalar, vector)),
             }
         }
         parts.retain(|(scalar, _)| !scalar.is_zero());
-        Vector::of_parts(parts)
+        let [a, b] = [self.components(), other.components()];
+        let sum = Vector::new(&a[0] + &b[0], &a[1] + &b[1], &a[2] + &b[2]);
+        Vector { parts: Some(parts.into()), ..sum }
     }
 }
 

@@ -1,7 +1,8 @@
-//! The prime fields F_p for word-sized p, in Montgomery's representation.
+//! The prime fields F_p for word-sized p, with Montgomery's multiplication.
 
 use num_bigint::{BigInt, Sign};
 
+use super::montgomery::Montgomery;
 use super::prime::primes;
 #[cfg(test)]
 use super::prime::{PRIME_LIMIT, is_prime};
@@ -23,16 +24,9 @@ impl Residue {
 }
 
 /// The field F_p for an odd prime p below 2⁶².
-///
-/// Multiplication is Montgomery's (*Modular multiplication without trial division*, 1985).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PrimeField {
-    modulus: u64,
-    /// −p⁻¹ modulo 2⁶⁴.
-    negated_inverse: u64,
-    /// 2¹²⁸ modulo p.
-    radix_squared: u64,
-    one: Residue,
+    ring: Montgomery,
 }
 
 impl PrimeField {
@@ -48,30 +42,22 @@ impl PrimeField {
     }
 
     fn with_prime(modulus: u64) -> Self {
-        // Newton's iteration doubles the number of correct low bits, of which p·p ≡ 1 (mod 8) gives three.
-        let mut inverse = modulus;
-        for _ in 0..5 {
-            inverse = inverse.wrapping_mul(2_u64.wrapping_sub(modulus.wrapping_mul(inverse)));
-        }
-        let radix = ((1_u128 << 64) % u128::from(modulus)) as u64;
-        let radix_squared = (u128::from(radix) * u128::from(radix) % u128::from(modulus)) as u64;
-        Self { modulus, negated_inverse: inverse.wrapping_neg(), radix_squared, one: Residue(radix) }
+        Self { ring: Montgomery::new(modulus) }
     }
 
     /// The prime p.
     pub(crate) fn modulus(&self) -> u64 {
-        self.modulus
+        self.ring.modulus()
     }
 
     /// The element 1.
     pub(crate) fn one(&self) -> Residue {
-        self.one
+        Residue(self.ring.one())
     }
 
     /// The image of an unsigned integer.
     pub(crate) fn residue_of_word(&self, value: u64) -> Residue {
-        let value = if value < self.modulus { value } else { value % self.modulus };
-        self.reduce(u128::from(value) * u128::from(self.radix_squared))
+        Residue(self.ring.element(value))
     }
 
     /// The image of an integer.
@@ -82,30 +68,31 @@ impl PrimeField {
 
     /// The image of an integer of any size, in time linear in its length.
     pub(crate) fn residue_of_big(&self, value: &BigInt) -> Residue {
-        let mut remainder = Residue::ZERO;
-        // 2⁶⁴ is the radix, whose Montgomery form is the image of `one` once more.
-        let radix = Residue(self.radix_squared);
-        for digit in value.iter_u64_digits().rev() {
-            remainder = self.add(self.mul(remainder, radix), self.residue_of_word(digit));
+        // From the least significant digit up, Montgomery's reduction divides by 2⁶⁴ for each.
+        let (mut sum, mut digits) = (0, 0);
+        for digit in value.iter_u64_digits() {
+            sum = self.ring.reduce(u128::from(sum) + u128::from(digit));
+            digits += 1;
         }
+        let remainder = Residue(self.ring.mul(sum, self.ring.pow(self.ring.radix(), digits + 1)));
         if value.sign() == Sign::Minus { self.neg(remainder) } else { remainder }
     }
 
     /// The representative of an element in 0 … p − 1.
     pub(crate) fn representative(&self, a: Residue) -> u64 {
-        self.reduce(u128::from(a.0)).0
+        self.ring.representative(a.0)
     }
 
     /// a + b.
     pub(crate) fn add(&self, a: Residue, b: Residue) -> Residue {
         let sum = a.0 + b.0;
-        Residue(if sum >= self.modulus { sum - self.modulus } else { sum })
+        Residue(if sum >= self.modulus() { sum - self.modulus() } else { sum })
     }
 
     /// a − b.
     pub(crate) fn sub(&self, a: Residue, b: Residue) -> Residue {
         let (difference, borrow) = a.0.overflowing_sub(b.0);
-        Residue(if borrow { difference.wrapping_add(self.modulus) } else { difference })
+        Residue(if borrow { difference.wrapping_add(self.modulus()) } else { difference })
     }
 
     /// −a.
@@ -115,20 +102,12 @@ impl PrimeField {
 
     /// a·b.
     pub(crate) fn mul(&self, a: Residue, b: Residue) -> Residue {
-        self.reduce(u128::from(a.0) * u128::from(b.0))
+        Residue(self.ring.mul(a.0, b.0))
     }
 
     /// a^exponent, with 0⁰ = 1, in O(log exponent) products.
-    pub(crate) fn pow(&self, a: Residue, mut exponent: u64) -> Residue {
-        let (mut result, mut base) = (self.one, a);
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                result = self.mul(result, base);
-            }
-            base = self.mul(base, base);
-            exponent >>= 1;
-        }
-        result
+    pub(crate) fn pow(&self, a: Residue, exponent: u64) -> Residue {
+        Residue(self.ring.pow(a.0, exponent))
     }
 
     /// 1/a, or `None` for zero; by the extended Euclidean algorithm.
@@ -136,7 +115,7 @@ impl PrimeField {
         if a.is_zero() {
             return None;
         }
-        let (mut high, mut low) = (self.modulus, self.representative(a));
+        let (mut high, mut low) = (self.modulus(), self.representative(a));
         let (mut high_factor, mut low_factor) = (0_i64, 1_i64);
         while low != 0 {
             let quotient = high / low;
@@ -155,23 +134,24 @@ impl PrimeField {
         if a.is_zero() {
             return Some(a);
         }
-        let half = (self.modulus - 1) / 2;
-        if self.pow(a, half) != self.one {
+        let half = (self.modulus() - 1) / 2;
+        if self.pow(a, half) != self.one() {
             return None;
         }
-        let twos = (self.modulus - 1).trailing_zeros();
-        let odd = (self.modulus - 1) >> twos;
+        let twos = (self.modulus() - 1).trailing_zeros();
+        let odd = (self.modulus() - 1) >> twos;
         let mut root = self.pow(a, odd.div_ceil(2));
         let mut defect = self.pow(a, odd);
         if twos > 1 {
-            let non_residue = (2..).map(|n| self.residue_of_word(n)).find(|&n| self.pow(n, half) != self.one);
-            let mut generator = self.pow(non_residue.unwrap_or(self.one), odd);
+            let non_residue =
+                (2..).map(|n| self.residue_of_word(n)).find(|&n| self.pow(n, half) != self.one());
+            let mut generator = self.pow(non_residue.unwrap_or(self.one()), odd);
             let mut order = twos;
             // Invariant: root² = a·defect, and `defect` has order 2^k with k < `order`, that of `generator`.
-            while defect != self.one {
+            while defect != self.one() {
                 let mut exponent = 0;
                 let mut power = defect;
-                while power != self.one {
+                while power != self.one() {
                     power = self.mul(power, power);
                     exponent += 1;
                 }
@@ -186,13 +166,6 @@ impl PrimeField {
         }
         let other = self.neg(root);
         Some(if self.representative(root) <= self.representative(other) { root } else { other })
-    }
-
-    /// Montgomery's reduction: value·2⁻⁶⁴ modulo p, for value < p·2⁶⁴.
-    fn reduce(&self, value: u128) -> Residue {
-        let multiple = (value as u64).wrapping_mul(self.negated_inverse);
-        let sum = ((value + u128::from(multiple) * u128::from(self.modulus)) >> 64) as u64;
-        Residue(if sum >= self.modulus { sum - self.modulus } else { sum })
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
 use super::field::{PrimeField, Residue};
-use crate::{Int, Rational, budget};
+use crate::number::lehmer::{self, Remainders};
+use crate::{Int, budget};
 
 /// How much larger than numerator times denominator the modulus must be, before its bit length: the chance that a
 /// number that is not determined yet passes for one is about the reciprocal of this.
@@ -18,15 +20,23 @@ pub(crate) struct Chinese<K> {
     modulus: Int,
     /// Representatives in 0 … modulus − 1.
     residues: BTreeMap<K, Int>,
+    /// The number of primes.
+    primes: usize,
+    /// From this many primes on, rational numbers are looked for again.
+    due: usize,
 }
+
+/// Rational numbers under keys of type `K`: numerators, and one denominator for all.
+pub(crate) type Rationals<K> = (Vec<(K, Int)>, Int);
 
 impl<K: Ord + Clone> Chinese<K> {
     /// Nothing known: the modulus is 1.
     pub(crate) fn new() -> Self {
-        Self { modulus: Int::one(), residues: BTreeMap::new() }
+        Self { modulus: Int::one(), residues: BTreeMap::new(), primes: 0, due: 0 }
     }
 
-    /// Adds the image modulo a prime that was not used before (Garner's step).
+    /// Adds the image modulo a prime that was not used before: a step of Garner (*The residue number system*, 1959), linear in the
+    /// length of the modulus for each entry.
     pub(crate) fn absorb(&mut self, field: &PrimeField, image: &BTreeMap<K, Residue>) {
         let Some(inverse) = field.invert(self.modulus.modulo(field)) else { return };
         for key in image.keys() {
@@ -43,6 +53,7 @@ impl<K: Ord + Clone> Chinese<K> {
             }
         }
         self.modulus *= Int::from(field.modulus());
+        self.primes += 1;
     }
 
     /// The product of the primes.
@@ -57,31 +68,41 @@ impl<K: Ord + Clone> Chinese<K> {
         self.residues.iter().map(|(key, residue)| (key.clone(), least(residue))).collect()
     }
 
-    /// The rational numbers that have this image, if the modulus is large enough to tell.
+    /// The rational numbers that have this image, if the modulus is large enough to tell, over their common denominator.
     ///
     /// Entries are tried with the least common denominator so far, then alone by the maximal quotient (Monagan,
-    /// *Maximal quotient rational reconstruction*, 2004). The result is very likely right; its reader checks it.
-    pub(crate) fn reconstruct(&self) -> Option<Vec<(K, Rational)>> {
+    /// *Maximal quotient rational reconstruction*, 2004). The result is very likely right; its reader checks it. After a
+    /// failure nothing is tried until there are an eighth more primes, so that all failures together cost about as much as
+    /// the success.
+    pub(crate) fn reconstruct(&mut self) -> Option<Rationals<K>> {
+        if self.primes < self.due {
+            return None;
+        }
+        self.due = self.primes + 1 + self.primes / 8;
         let threshold = Int::from(SLACK) * Int::from(self.modulus.bits());
         let half = &self.modulus / Int::from(2);
-        let mut denominator = Int::one();
-        let mut result = Vec::with_capacity(self.residues.len());
         let words = self.modulus.bits() / 64 + 1;
+        let mut denominator = Int::one();
+        let mut found: Vec<(&K, Int, Int)> = Vec::with_capacity(self.residues.len());
         for (key, residue) in &self.residues {
-            budget::spend(words * words * 16);
+            budget::spend(words + words * words / 16);
             let mut scaled = (residue * &denominator).mod_floor(&self.modulus);
             if scaled > half {
                 scaled -= &self.modulus;
             }
-            if scaled.abs() * &denominator * &threshold < self.modulus {
-                result.push((key.clone(), Rational::new(scaled, denominator.clone())));
-                continue;
+            if scaled.bits() + denominator.bits() + threshold.bits() >= self.modulus.bits() {
+                let (numerator, own) = maximal_quotient(residue, &self.modulus, &threshold)?;
+                let common = denominator.lcm(&own);
+                scaled = numerator * (&common / &own);
+                denominator = common;
             }
-            let value = maximal_quotient(residue, &self.modulus, &threshold)?;
-            denominator = denominator.lcm(value.denom());
-            result.push((key.clone(), value));
+            found.push((key, scaled, denominator.clone()));
         }
-        Some(result)
+        let over_common = |(key, numerator, own): (&K, Int, Int)| {
+            let numerator = if own == denominator { numerator } else { numerator * (&denominator / &own) };
+            (key.clone(), numerator)
+        };
+        Some((found.into_iter().map(over_common).collect(), denominator))
     }
 }
 
@@ -93,41 +114,55 @@ pub(crate) trait Modulo {
 
 impl Modulo for Int {
     fn modulo(&self, field: &PrimeField) -> Residue {
-        match self.small() {
-            Some(value) => field.residue(value),
-            None => field.residue_of_big(&self.to_big()),
+        match self.big() {
+            Some(value) => field.residue_of_big(value),
+            None => field.residue(self.small().unwrap_or_default()),
         }
     }
 }
 
-/// The fraction n/d ≡ `residue` with the smallest |n|·d, if that is below `modulus / threshold`.
-fn maximal_quotient(residue: &Int, modulus: &Int, threshold: &Int) -> Option<Rational> {
+/// The fraction n/d ≡ `residue` in lowest terms with the smallest |n|·d, if that is below `modulus / threshold`.
+fn maximal_quotient(residue: &Int, modulus: &Int, threshold: &Int) -> Option<(Int, Int)> {
+    // Smaller quotients are no candidates, so that many steps can be taken together.
+    let small = threshold.small().map_or(u64::MAX, i64::unsigned_abs);
     if residue.is_zero() {
-        return (modulus > threshold).then(Rational::zero);
+        return (modulus > threshold).then(|| (Int::zero(), Int::one()));
     }
     let mut best: Option<(Int, Int)> = None;
     let mut largest = threshold.clone();
-    let (mut high, mut low) = (modulus.clone(), residue.clone());
-    let (mut high_factor, mut low_factor) = (Int::zero(), Int::one());
-    while !low.is_zero() && high > largest {
-        let (quotient, rest) = high.div_rem(&low);
-        if quotient > largest {
-            best = Some((low.clone(), low_factor.clone()));
-            largest = quotient.clone();
+    let mut remainders = Remainders::new(&modulus.to_big(), &residue.to_big());
+    // The factors of `residue` in both remainders; their signs alternate.
+    let (mut factors, mut negative) = ([Vec::new(), vec![1]], false);
+    while !remainders.low().is_zero() && remainders.bits() >= largest.bits() {
+        if let Some(steps) = remainders.advance(small) {
+            steps.apply(&mut factors);
+            negative ^= steps.is_odd();
+            continue;
         }
-        let factor = &high_factor - &(&quotient * &low_factor);
-        (high, low) = (low, rest);
-        (high_factor, low_factor) = (low_factor, factor);
+        let (numerator, denominator) = (remainders.low(), lehmer::from_words(&factors[1]));
+        let quotient = remainders.divide();
+        let next = lehmer::from_words(&factors[0]) + &quotient * &denominator;
+        let quotient = Int::from(BigInt::from(quotient));
+        if quotient > largest {
+            let numerator = Int::from(BigInt::from(numerator));
+            let numerator = if negative { -numerator } else { numerator };
+            best = Some((numerator, Int::from(BigInt::from(denominator))));
+            largest = quotient;
+        }
+        factors.swap(0, 1);
+        factors[1] = next.iter_u64_digits().collect();
+        negative = !negative;
     }
-    let (numerator, denominator) = best?;
-    numerator.gcd(&denominator).is_one().then(|| Rational::new(numerator, denominator))
+    best.filter(|(numerator, denominator)| numerator.gcd(denominator).is_one())
 }
 
 #[cfg(test)]
 mod tests {
+    use num_traits::Signed;
     use proptest::prelude::*;
 
     use super::*;
+    use crate::Rational;
 
     fn image(field: &PrimeField, value: &Rational) -> Residue {
         let inverse = field.invert(value.denom().modulo(field)).unwrap();
@@ -146,21 +181,23 @@ mod tests {
             for field in [first].into_iter().chain(fields.take(3)) {
                 chinese.absorb(&field, &images(&field));
             }
-            prop_assert_eq!(chinese.reconstruct(), Some(values.into_iter().enumerate().collect()));
+            let (numerators, denominator) = chinese.reconstruct().unwrap();
+            let found = numerators.into_iter().map(|(key, value)| (key, Rational::new(value, denominator.clone())));
+            prop_assert_eq!(found.collect::<Vec<_>>(), values.into_iter().enumerate().collect::<Vec<_>>());
         }
 
         #[test]
         fn the_maximal_quotient_is_nearly_the_best_fraction(residue in 0_i64..1_000_003) {
             let modulus = 1_000_003;
             let found = maximal_quotient(&Int::from(residue), &Int::from(modulus), &Int::from(40));
-            let size = |value: &Rational| value.numer().abs().max(Int::one()) * value.denom();
+            let size = |(numerator, denominator): &(Int, Int)| numerator.abs().max(Int::one()) * denominator;
             for d in 1..100_i64 {
                 let n = (residue * d + modulus / 2).rem_euclid(modulus) - modulus / 2;
                 // By Monagan's theorem, what is three times smaller than the modulus over the threshold must be seen.
                 if n.abs().max(1) * d < modulus / 120 {
                     let found = found.as_ref().expect("a fraction that is small enough");
                     prop_assert!(size(found) <= Int::from(3 * n.abs().max(1) * d));
-                    prop_assert!((found.numer() - found.denom() * Int::from(residue)).is_multiple_of(&Int::from(modulus)));
+                    prop_assert!((&found.0 - &found.1 * Int::from(residue)).is_multiple_of(&Int::from(modulus)));
                 }
             }
         }

@@ -4,10 +4,13 @@
 //! over the integers or the number field.
 
 pub(crate) mod field;
+pub(crate) mod gcd;
 pub(crate) mod heap;
 pub(crate) mod lift;
+pub(crate) mod montgomery;
 pub(crate) mod multivariate;
 pub(crate) mod prime;
+pub(crate) mod root;
 pub(crate) mod sparse;
 pub(crate) mod splitting;
 pub(crate) mod univariate;

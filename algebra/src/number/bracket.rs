@@ -1,4 +1,7 @@
 //! Real numbers in fixed point, between two integers: what enclosures and signs of numbers of a field are computed with.
+//!
+//! This is interval arithmetic (Moore, *Interval Analysis*, 1966) with one denominator for all: unlike [`Enclosure`]s, whose ends
+//! are rational, it needs no greatest common divisors. Complexity: one product of integers for each end and operation.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};

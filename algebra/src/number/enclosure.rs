@@ -7,7 +7,7 @@ use crate::{Int, Rational};
 
 /// A closed interval with rational ends.
 ///
-/// Arithmetic on enclosures encloses the results of the arithmetic on all numbers within.
+/// Arithmetic on enclosures encloses the results of the arithmetic on all numbers within (Moore, *Interval Analysis*, 1966).
 ///
 /// # Example
 /// ```

@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use num_traits::Signed;
 
-use super::algebraic;
 use super::bracket::{Bracket, GeneratorValues};
+use super::square_root;
 use crate::modular::field::PrimeField;
 use crate::modular::splitting::{Radicand, Splitting};
 use crate::poly::Poly;
@@ -233,7 +233,7 @@ pub(crate) fn join(a: &Arc<NumberField>, b: &Arc<NumberField>) -> (Arc<NumberFie
     let mut images: Vec<Poly> = Vec::new();
     for position in 0..b.generators.len() {
         let radicand = b.radicand(position).map_generators(&field, &images);
-        let root = algebraic::adjoin_sqrt(&field, &radicand);
+        let root = square_root::adjoin_sqrt(&field, &radicand);
         field = root.ring().field().clone();
         images.push(root);
     }

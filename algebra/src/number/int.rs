@@ -9,6 +9,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Num, One, Signed, ToPrimitive, Zero};
 
+use super::lehmer::Remainders;
 use crate::operators::binary_operator;
 
 /// An integer of any size.
@@ -58,6 +59,14 @@ impl Int {
         }
     }
 
+    /// The value, if it does not fit a machine word.
+    pub(crate) fn big(&self) -> Option<&BigInt> {
+        match &self.0 {
+            Small(_) => None,
+            Big(value) => Some(value),
+        }
+    }
+
     /// The number of bits of the absolute value; zero for zero.
     #[must_use]
     pub fn bits(&self) -> u64 {
@@ -73,7 +82,8 @@ impl Int {
         if let Some(power) = self.small().and_then(|value| value.checked_pow(exponent)) {
             return power.into();
         }
-        crate::budget::spend((self.bits() * u64::from(exponent) / 64).pow(2) / 16);
+        let words = (self.bits() / 64 + 1).saturating_mul(u64::from(exponent));
+        crate::budget::spend(product_price(words, words));
         self.to_big().pow(exponent).into()
     }
 
@@ -83,7 +93,11 @@ impl Int {
         match &self.0 {
             Small(value) => Int(Small(value.max(&0).isqrt())),
             Big(value) if value.is_negative() => Int::ZERO,
-            Big(value) => value.sqrt().into(),
+            Big(value) => {
+                let words = value.bits() / 64;
+                crate::budget::spend(words * 8 + words * words / 16);
+                value.sqrt().into()
+            }
         }
     }
 
@@ -190,7 +204,12 @@ impl fmt::Display for Int {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Small(value) => value.fmt(f),
-            Big(value) => value.fmt(f),
+            Big(value) => {
+                // The digits are found by divisions by powers of ten.
+                let words = value.bits() / 64;
+                crate::budget::spend(2 * product_price(words, words));
+                value.fmt(f)
+            }
         }
     }
 }
@@ -260,18 +279,35 @@ impl Neg for &Int {
     }
 }
 
-/// Spends the work of a product of numbers that are so large that it counts.
-fn charge(a: &BigInt, b: &BigInt) {
-    const COUNTS: u64 = 64;
+/// The price of a product of numbers of `a` and `b` words: the work that schoolbook multiplication takes with small ones, and
+/// with large ones less, like the power 3/2 of their length.
+fn product_price(a: u64, b: u64) -> u64 {
+    a.saturating_mul(b) / (8 + 2 * a.min(b).isqrt())
+}
+
+/// The price of the quotient, or remainder, of numbers of `a` and `b` words, by schoolbook division.
+fn quotient_price(a: u64, b: u64) -> u64 {
+    (a.saturating_sub(b) + 1).saturating_mul(b) / (8 + (2 * b.isqrt()).min(92))
+}
+
+/// The price of a sum.
+fn sum_price(a: u64, b: u64) -> u64 {
+    a.max(b) / 8
+}
+
+/// Spends the `price` of an operation on numbers that are so large that it counts: what smaller ones cost is paid by those
+/// who use them.
+fn charge(a: &BigInt, b: &BigInt, price: impl Fn(u64, u64) -> u64) {
+    const COUNTS: u64 = 8;
     let words = [a, b].map(|value| value.bits() / 64);
     if words.iter().all(|words| *words > COUNTS) {
-        crate::budget::spend(words[0].saturating_mul(words[1]));
+        crate::budget::spend(price(words[0], words[1]));
     }
 }
 
 /// One arithmetic operator: words are combined in a type that holds every result, big values by their own operator.
 macro_rules! arithmetic {
-    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $checked:ident $symbol:tt) => {
+    ($Op:ident $op:ident $OpAssign:ident $op_assign:ident $checked:ident $symbol:tt $price:ident) => {
         binary_operator!(Int: $Op $op $OpAssign $op_assign, |a, b| match (&a.0, &b.0) {
             (Small(a), Small(b)) => match a.$checked(*b) {
                 Some(result) => Int(Small(result)),
@@ -279,7 +315,7 @@ macro_rules! arithmetic {
                 None => (i128::from(*a) $symbol i128::from(*b)).into(),
             },
             (Big(a), Big(b)) => {
-                charge(a, b);
+                charge(a, b, $price);
                 (&**a $symbol &**b).into()
             }
             (Big(a), Small(b)) => (&**a $symbol *b).into(),
@@ -288,11 +324,11 @@ macro_rules! arithmetic {
     };
 }
 
-arithmetic!(Add add AddAssign add_assign checked_add +);
-arithmetic!(Sub sub SubAssign sub_assign checked_sub -);
-arithmetic!(Mul mul MulAssign mul_assign checked_mul *);
-arithmetic!(Div div DivAssign div_assign checked_div /);
-arithmetic!(Rem rem RemAssign rem_assign checked_rem %);
+arithmetic!(Add add AddAssign add_assign checked_add + sum_price);
+arithmetic!(Sub sub SubAssign sub_assign checked_sub - sum_price);
+arithmetic!(Mul mul MulAssign mul_assign checked_mul * product_price);
+arithmetic!(Div div DivAssign div_assign checked_div / quotient_price);
+arithmetic!(Rem rem RemAssign rem_assign checked_rem % quotient_price);
 
 impl Zero for Int {
     fn zero() -> Int {
@@ -370,11 +406,14 @@ impl Integer for Int {
                 Int(Small((&**a % *b).to_i64().unwrap_or(0))).gcd(&Int(Small(*b)))
             }
             (Small(a), Big(_)) if *a != 0 => other.gcd(self),
-            _ => {
-                // Binary gcd: as many shifts and differences of all words as there are bits.
-                let words = self.bits().max(other.bits()) / 64;
-                crate::budget::spend(64 + 8 * words * words);
-                self.to_big().gcd(&other.to_big()).into()
+            (Small(_), Big(value)) | (Big(value), Small(_)) => (**value).abs().into(),
+            (Big(a), Big(b)) => {
+                // One step of Euclid again, where binary gcd would be slow.
+                let (large, small) = if a.bits() < b.bits() { (other, self) } else { (self, other) };
+                if large.bits() > small.bits() + 64 {
+                    return small.gcd(&(large % small));
+                }
+                BigInt::from(Remainders::new(a, b).gcd()).into()
             }
         }
     }
@@ -408,6 +447,7 @@ impl Integer for Int {
     fn div_rem(&self, other: &Int) -> (Int, Int) {
         match (&self.0, &other.0) {
             (Big(a), Big(b)) => {
+                charge(a, b, quotient_price);
                 let (quotient, remainder) = (**a).div_rem(&**b);
                 (quotient.into(), remainder.into())
             }

@@ -115,8 +115,21 @@ fn unit_at(q: &Rational, halvings: u32) -> Complex {
         return unit_at_odd(q);
     }
     // The principal root has its angle between −π/2 and π/2, the only one there that doubles to 2πq.
-    let root = unit_at(&modulo_2(&(q * integer(2))), halvings - 1).sqrt();
+    let root = bisected(&unit_at(&modulo_2(&(q * integer(2))), halvings - 1));
     if *q > ratio(-1, 2) && *q <= ratio(1, 2) { root } else { -root }
+}
+
+/// The principal square root of a number of absolute value 1: `cos(α/2) = √((1 + cos α)/2)`, `sin(α/2) = sin α/(2·cos(α/2))`.
+fn bisected(unit: &Complex) -> Complex {
+    let square = (&unit.re + Poly::one()).scale(&ratio(1, 2));
+    match square.sqrt() {
+        Some(re) if !re.is_zero() => {
+            let im = (&unit.im * square.inverse()).scale(&ratio(1, 2)) * &re;
+            let [root] = minimize_complex(&[Complex::new(re, im)]);
+            root
+        }
+        _ => unit.sqrt(),
+    }
 }
 
 /// `exp(I·π·q)` for a denominator that divides 3·5·17.

@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::quotient::quotient;
-use super::ring::{Monomial, Ring, Variable};
+use super::ring::{Ring, Variable};
 use super::{Poly, Term};
-use crate::{Int, Rational};
 
 impl Poly {
     /// The quotient `self / divisor`, if that is a polynomial.
@@ -79,6 +78,22 @@ impl Poly {
             multiplicity += 1;
         }
         (multiplicity, rest)
+    }
+
+    /// Divides all of `polys` by `divisor` as often as that goes, at most `most` times, and gives the number of times. Short ones are
+    /// tried first, since they fail sooner. Numbers are not taken out.
+    pub(crate) fn take_out_of_all(polys: &mut [Poly], divisor: &Poly, most: u32) -> u32 {
+        if divisor.is_constant() || polys.iter().all(Poly::is_zero) {
+            return 0;
+        }
+        let mut order: Vec<usize> = (0..polys.len()).collect();
+        order.sort_by_key(|&place| polys[place].terms.len());
+        for times in 0..most {
+            let quotients = order.iter().map(|&place| polys[place].exact_div(divisor));
+            let Some(quotients) = quotients.collect::<Option<Vec<Poly>>>() else { return times };
+            order.iter().zip(quotients).for_each(|(&place, quotient)| polys[place] = quotient);
+        }
+        most
     }
 
     /// The coefficient, in the field, of the lexicographically largest monomial in the variables; zero for zero.
@@ -185,20 +200,22 @@ impl Poly {
     }
 }
 
+#[cfg(test)]
 impl Poly {
     /// The polynomial with the given rational coefficients of distinct reduced monomials.
-    pub(crate) fn from_rational_terms(ring: Arc<Ring>, mut coefficients: Vec<(Monomial, Rational)>) -> Poly {
-        coefficients.retain(|(_, value)| !value.is_zero());
+    pub(crate) fn from_rational_terms(
+        ring: Arc<Ring>,
+        mut coefficients: Vec<(super::Monomial, crate::Rational)>,
+    ) -> Poly {
+        coefficients.retain(|(_, value)| *value.numer() != crate::Int::ZERO);
         coefficients.sort_by_key(|(monomial, _)| std::cmp::Reverse(*monomial));
-        let denominator = coefficients.iter().fold(Int::ONE, |d, (_, value)| d.lcm(value.denom()));
-        let terms = coefficients
-            .into_iter()
-            .map(|(monomial, value)| {
-                let coefficient = value.numer() * (&denominator / value.denom());
-                Term { monomial, coefficient }
-            })
-            .collect();
-        Poly::from_sorted(ring, Rational::new(Int::one(), denominator), terms)
+        let denominator = coefficients.iter().fold(crate::Int::ONE, |d, (_, value)| d.lcm(value.denom()));
+        let terms = coefficients.into_iter().map(|(monomial, value)| {
+            let coefficient = value.numer() * (&denominator / value.denom());
+            Term { monomial, coefficient }
+        });
+        let terms = terms.collect();
+        Poly::from_sorted(ring, crate::Rational::new(crate::Int::ONE, denominator), terms)
     }
 }
 
@@ -209,7 +226,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Variable, ratio};
+    use crate::{Monomial, Rational, ratio};
 
     fn polynomials(terms: usize) -> impl Strategy<Value = Poly> {
         prop::collection::vec((0_u32..4, 0_u32..4, 0_u32..3, -9_i64..=9), 1..=terms).prop_map(|terms| {

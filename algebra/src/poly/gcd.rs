@@ -259,8 +259,7 @@ fn modular_divisor(
             images.iter().map(|image| image.scale(splitting.field(), factor)).collect();
         known.absorb(splitting.field(), &splitting.lift_coefficients(&images));
         let Some(values) = known.reconstruct() else { continue };
-        let terms = values.into_iter().map(|((word, index), value)| (frame.monomial(word, index), value));
-        let candidate = Poly::from_rational_terms(a.ring.clone(), terms.collect()).normalized();
+        let candidate = frame.poly(values).normalized();
         if refused.as_ref() == Some(&candidate) {
             continue;
         }

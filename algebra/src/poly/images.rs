@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use num_traits::Zero;
+
 use super::ring::{Monomial, Ring};
 use super::{Poly, Term};
-use crate::Int;
-use crate::budget;
 use crate::modular::field::{PrimeField, Residue};
-use crate::modular::lift::Modulo;
+use crate::modular::lift::{Modulo, Rationals};
 use crate::modular::multivariate::{Layout, Multivariate};
 use crate::modular::splitting::{Radicand, Splitting};
+use crate::{Int, Rational, budget};
 
 /// How the polynomials of a ring are read modulo primes: some of its variables in a chosen order, the first one being
 /// the most significant.
@@ -74,7 +75,7 @@ impl Frame {
     /// Leaves the computation if no prime is left.
     pub(crate) fn splitting(&self, fields: &mut impl Iterator<Item = PrimeField>) -> Arc<Splitting> {
         let found = fields.find_map(|field| {
-            budget::spend(1000);
+            budget::spend(100);
             self.ring.field().splitting(field, &self.generators, &self.radicands)
         });
         match found {
@@ -111,8 +112,19 @@ impl Frame {
         FramedTerms { terms }
     }
 
+    /// The polynomial with these coefficients, by words of the variables and indices of basis elements.
+    pub(crate) fn poly(&self, (numerators, denominator): Rationals<(u128, usize)>) -> Poly {
+        let nonzero = numerators.into_iter().filter(|(_, coefficient)| !coefficient.is_zero());
+        let mut terms: Vec<Term> = nonzero
+            .map(|((word, index), coefficient)| Term { monomial: self.monomial(word, index), coefficient })
+            .collect();
+        terms.sort_by_key(|term| std::cmp::Reverse(term.monomial));
+        // The denominator is positive.
+        Poly::from_sorted(self.ring.clone(), Rational::new_raw(Int::ONE, denominator), terms)
+    }
+
     /// The monomial of the ring for a word of the variables and the index of a basis element.
-    pub(crate) fn monomial(&self, word: u128, index: usize) -> Monomial {
+    fn monomial(&self, word: u128, index: usize) -> Monomial {
         let mut exponents = vec![0; self.ring.variables().len()];
         for (i, &position) in self.positions.iter().enumerate() {
             exponents[position] = self.layout.exponent(word, i);
@@ -162,11 +174,6 @@ impl FramedTerms {
     pub(crate) fn images(&self, splitting: &Splitting) -> Vec<Multivariate> {
         let residues = self.residues(splitting);
         (0..splitting.basis().len()).map(|choice| self.image_of(splitting, choice, &residues)).collect()
-    }
-
-    /// The image under the homomorphism `choice` of `splitting`.
-    pub(crate) fn image(&self, splitting: &Splitting, choice: usize) -> Multivariate {
-        self.image_of(splitting, choice, &self.residues(splitting))
     }
 
     /// The coefficients modulo the prime of `splitting`.

@@ -13,6 +13,10 @@ const MOST_GENERATORS: usize = 4;
 
 /// What the rules of a number field make of each product of powers of its generators up to the second: its coordinates in
 /// the basis of products of distinct generators.
+///
+/// These are the structure constants of the field (compare Cohen, *A Course in Computational Algebraic Number Theory*, section
+/// 4.2). Complexity: for each term as many additions as its row has entries, at most the degree of the field; rules one
+/// after the other would sort all terms once for each generator.
 #[derive(Debug)]
 pub(crate) struct Reduction {
     /// By the word of a product, the place in the basis of each element that occurs and its coefficient.
@@ -136,11 +140,7 @@ fn apply_rules(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> {
             .radicand_terms()
             .map(|(exponents, coefficient)| (generator_monomial(&exponents), coefficient))
             .collect();
-        let squares =
-            terms.iter().filter(|term| ring.generator_exponent(term.monomial, position) > 1).count();
-        let count = terms.len() - squares + squares * radicand.len();
-        budget::reserve((count * size_of::<Term>()) as u64);
-        let mut expanded = Vec::with_capacity(count);
+        let mut expanded = Vec::with_capacity(charge(ring, &terms, position, &radicand));
         for term in terms {
             if ring.generator_exponent(term.monomial, position) < 2 {
                 expanded.push(term);
@@ -155,6 +155,19 @@ fn apply_rules(ring: &Ring, mut terms: Vec<Term>, count: usize) -> Vec<Term> {
         terms = collect(expanded);
     }
     terms
+}
+
+/// Spends the work of replacing `g²` in `terms`, for the generator `g` at `position`, and reserves the memory; the number of
+/// terms that become of them.
+fn charge(ring: &Ring, terms: &[Term], position: usize, radicand: &[(Monomial, Int)]) -> usize {
+    let squares = terms.iter().filter(|term| ring.generator_exponent(term.monomial, position) > 1).count();
+    let count = terms.len() - squares + squares * radicand.len();
+    let bits = terms.iter().map(|term| term.coefficient.bits()).max().unwrap_or(0);
+    // A number of more than a word has a place of its own, with some overhead.
+    let bytes = size_of::<Term>() as u64 + if bits < 63 { 0 } else { 96 + bits / 8 };
+    budget::reserve(2 * bytes * count as u64);
+    budget::spend(squares as u64 * radicand.len() as u64 * (1 + bits / 512));
+    count
 }
 
 #[cfg(test)]

@@ -64,7 +64,9 @@ impl fmt::Debug for Variable {
 ///
 /// The first variable has the most significant bits, so that the order of words is the lexicographic order of
 /// monomials; the generators of the number field come last, so that the terms of one coefficient in the field are
-/// neighbors. The product of monomials is the sum of words. The exponents are read through [`Ring::exponent`].
+/// neighbors. The product of monomials is the sum of words, and the highest bit of each exponent, which is a guard, tells
+/// quotients and excess (Bachmann and Schönemann, *Monomial representations for Gröbner bases computations*, 1998). The
+/// exponents are read through [`Ring::exponent`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct Monomial(pub(crate) u128);
 
@@ -78,7 +80,10 @@ const GENERATOR_BITS: u32 = 2;
 /// Bits of the exponent of a variable, where there are few variables.
 const MOST_BITS: u32 = 20;
 /// Bits of the exponent of a variable, at least.
-const LEAST_BITS: u32 = 5;
+const LEAST_BITS: u32 = 4;
+/// Bits of the exponent of each parameter where there are so many symbols that equal widths would give fewer: the degree of a
+/// sweep in its parameters grows with that of its curves, its degree in each symbol does not.
+const PARAMETER_BITS: u32 = 9;
 
 /// The ring `K[x₁, …, xₙ]` over a [`NumberField`] `K`, whose generators are further symbols with rules `g² = r`.
 ///
@@ -88,12 +93,14 @@ const LEAST_BITS: u32 = 5;
 pub struct Ring {
     variables: Vec<Variable>,
     field: Arc<NumberField>,
-    /// Bits of each variable's exponent, of which the highest is the guard.
-    bits: u32,
-    /// The guard bits of all variables.
-    guards: u128,
-    /// The position of the lowest bit of the first variable's exponent.
-    first_shift: u32,
+    /// How many of the variables, the first ones, are parameters and not symbols.
+    parameters: usize,
+    /// Bits of the exponent of each parameter and of each symbol, of which the highest is the guard.
+    bits: [u32; 2],
+    /// The guard bits of all parameters and of all symbols.
+    guards: [u128; 2],
+    /// The position of the lowest bit above all exponents of symbols, and above those of generators.
+    shifts: [u32; 2],
 }
 
 impl PartialEq for Ring {
@@ -113,17 +120,21 @@ impl Ring {
         variables.dedup();
         let generator_bits = GENERATOR_BITS * u32::try_from(field.generators().len()).unwrap_or(u32::MAX / 4);
         let count = u32::try_from(variables.len()).unwrap_or(u32::MAX);
-        let bits = 128_u32.saturating_sub(generator_bits) / count.max(1);
-        let bits = bits.min(MOST_BITS);
-        if bits < LEAST_BITS || generator_bits > 64 {
+        let parameters = variables.partition_point(|variable| variable.rank < Variable::SYMBOL);
+        let bits = exponent_bits(128_u32.saturating_sub(generator_bits), parameters as u32, count);
+        if bits[1] < LEAST_BITS || generator_bits > 64 {
             budget::refuse(format!(
                 "{count} symbols and {} square roots are more than one polynomial can hold",
                 field.generators().len()
             ));
         }
-        let guards = (0..count).map(|i| 1_u128 << (generator_bits + bits * (i + 1) - 1)).sum();
-        let first_shift = generator_bits + bits * count.saturating_sub(1);
-        Arc::new(Ring { variables, field, bits, guards, first_shift })
+        let symbols = count - parameters as u32;
+        let shifts = [generator_bits + bits[1] * symbols, generator_bits];
+        let guards = |kind: usize, count: u32| -> u128 {
+            (1..=count).map(|i| 1_u128 << (shifts[kind] + bits[kind] * i - 1)).sum()
+        };
+        let guards = [guards(0, parameters as u32), guards(1, symbols)];
+        Arc::new(Ring { variables, field, parameters, bits, guards, shifts })
     }
 
     /// The ring without variables over the rationals.
@@ -153,8 +164,7 @@ impl Ring {
     /// The exponent in `monomial` of the variable at `position`.
     #[must_use]
     pub fn exponent(&self, monomial: Monomial, position: usize) -> u32 {
-        let mask = (1_u128 << self.bits) - 1;
-        low_word(monomial.0 >> self.shift(position) & mask)
+        low_word(monomial.0 >> self.shift(position) & self.low_mask(position))
     }
 
     /// The exponent in `monomial` of the generator at `position` of the field.
@@ -164,21 +174,21 @@ impl Ring {
         low_word(monomial.0 >> generator_shift(position) & mask)
     }
 
-    /// The largest exponent that a variable can have.
+    /// The largest exponent that every variable can have; parameters of many symbols can have larger ones.
     #[must_use]
     pub fn max_exponent(&self) -> u32 {
-        (1 << (self.bits - 1)) - 1
+        self.limit(1)
     }
 
     /// The monomial with the given exponents of the variables and generators, in their order.
     ///
-    /// Leaves the computation (see [`budget`]) if an exponent is beyond [`Ring::max_exponent`].
+    /// Leaves the computation (see [`budget`]) if an exponent is beyond the range of its variable, see [`Ring::max_exponent`].
     #[must_use]
     pub fn monomial(&self, exponents: &[u32], generators: &[u32]) -> Monomial {
         let mut word = generator_monomial(generators).0;
         for (position, &exponent) in exponents.iter().enumerate() {
-            if exponent > self.max_exponent() {
-                self.refuse_exponent();
+            if exponent > self.limit(self.kind(position)) {
+                self.refuse_exponent(self.kind(position));
             }
             word |= u128::from(exponent) << self.shift(position);
         }
@@ -212,22 +222,27 @@ impl Ring {
     /// `monomial / divisor` in the variables, if that is a monomial. `divisor` is free of generators.
     pub(crate) fn quotient(&self, monomial: Monomial, divisor: Monomial) -> Option<Monomial> {
         // A borrow out of an exponent clears the guard bit that was set there.
-        let difference = (monomial.0 | self.guards).wrapping_sub(divisor.0);
-        (difference & self.guards == self.guards).then_some(Monomial(difference & !self.guards))
+        let guards = self.guards[0] | self.guards[1];
+        let difference = (monomial.0 | guards).wrapping_sub(divisor.0);
+        (difference & guards == guards).then_some(Monomial(difference & !guards))
     }
 
     /// Leaves the computation if `combined`, the union of the words of a result, shows an exponent beyond the range.
     pub(crate) fn check_exponents(&self, combined: u128) {
-        if combined & self.guards != 0 {
-            self.refuse_exponent();
+        for (kind, guards) in self.guards.into_iter().enumerate() {
+            if combined & guards != 0 {
+                self.refuse_exponent(kind);
+            }
         }
     }
 
     /// The larger exponent of each variable and generator, of words without excess.
     pub(crate) fn maximum(&self, a: u128, b: u128) -> u128 {
         // A guard bit survives where the exponent of a is not smaller, and becomes a mask of that exponent's other bits.
-        let kept = ((a | self.guards) - (b & !self.generator_mask())) & self.guards;
-        let mask = kept - (kept >> (self.bits - 1));
+        let [parameters, symbols] = self.guards;
+        let kept = (a | parameters | symbols) - (b & !self.generator_mask());
+        let [first, second] = [kept & parameters, kept & symbols];
+        let mask = (first | second) - (first >> (self.bits[0] - 1)) - (second >> (self.bits[1] - 1));
         (a & mask) | (b & !mask) | (a & self.generator_mask())
     }
 
@@ -243,7 +258,7 @@ impl Ring {
 
     /// For each variable then each generator, its shift and mask, most significant first.
     pub(crate) fn fields(&self) -> Vec<(u32, u128)> {
-        let variables = (0..self.variables.len()).map(|i| (self.shift(i), (1 << self.bits) - 1));
+        let variables = (0..self.variables.len()).map(|i| (self.shift(i), self.low_mask(i)));
         let generators = (0..self.generator_count()).map(|i| (generator_shift(i), (1 << GENERATOR_BITS) - 1));
         let mut fields: Vec<(u32, u128)> = variables.chain(generators).collect();
         fields.sort_by_key(|&(shift, _)| std::cmp::Reverse(shift));
@@ -264,16 +279,33 @@ impl Ring {
         self.field.generators().len()
     }
 
-    fn shift(&self, position: usize) -> u32 {
-        // Positions are below 128/LEAST_BITS.
-        self.first_shift - self.bits * position as u32
+    /// Whether the variable at `position` is a parameter, 0, or a symbol, 1.
+    fn kind(&self, position: usize) -> usize {
+        usize::from(position >= self.parameters)
     }
 
-    fn refuse_exponent(&self) -> ! {
+    fn shift(&self, position: usize) -> u32 {
+        let kind = self.kind(position);
+        let end = if kind == 0 { self.parameters } else { self.variables.len() };
+        // Positions are below 128/LEAST_BITS.
+        self.shifts[kind] + self.bits[kind] * (end - 1 - position) as u32
+    }
+
+    /// The bits of the exponent of the variable at `position`, shifted down.
+    fn low_mask(&self, position: usize) -> u128 {
+        (1 << self.bits[self.kind(position)]) - 1
+    }
+
+    /// The largest exponent of a parameter or of a symbol.
+    fn limit(&self, kind: usize) -> u32 {
+        (1 << (self.bits[kind] - 1)) - 1
+    }
+
+    fn refuse_exponent(&self, kind: usize) -> ! {
         budget::refuse(format!(
             "a polynomial in {} symbols would reach an exponent beyond {}",
             self.variables.len(),
-            self.max_exponent()
+            self.limit(kind)
         ))
     }
 
@@ -299,13 +331,13 @@ impl Ring {
 
     /// The bits of the exponent of the variable at `position`.
     pub(crate) fn exponent_mask(&self, position: usize) -> u128 {
-        ((1 << self.bits) - 1) << self.shift(position)
+        self.low_mask(position) << self.shift(position)
     }
 
     /// How the monomials of this ring are written in the ring `to`, which has this field's generators first among its own;
     /// variables that it does not have must not occur.
     pub(crate) fn transfer<'a>(&self, to: &'a Ring) -> Transfer<'a> {
-        let (mut runs, mut excess): (Vec<(u128, u32, u32)>, u128) = (Vec::new(), 0);
+        let (mut runs, mut excess): (Vec<(u128, u32, u32)>, [u128; 2]) = (Vec::new(), [0, 0]);
         let mut push = |mask: u128, from: u32, onto: u32| {
             // Neighbors that move by as many bits move together.
             match runs.last_mut().filter(|last| last.1 + onto == last.2 + from) {
@@ -315,10 +347,11 @@ impl Ring {
         };
         for (position, variable) in self.variables.iter().enumerate() {
             let (mask, from) = (self.exponent_mask(position), self.shift(position));
-            excess |= mask & !(u128::from(to.max_exponent()) << from);
-            if let Some(target) = to.position(variable) {
-                push(mask, from, to.shift(target));
-            }
+            // A variable that the other ring lacks does not occur.
+            let Some(target) = to.position(variable) else { continue };
+            let kind = to.kind(target);
+            excess[kind] |= mask & !(u128::from(to.limit(kind)) << from);
+            push(mask, from, to.shift(target));
         }
         push(self.generator_mask(), 0, 0);
         Transfer { to, runs, excess }
@@ -330,15 +363,15 @@ pub(crate) struct Transfer<'a> {
     to: &'a Ring,
     /// The bits of neighboring exponents, and the positions of the lowest of them in the old and the new word.
     runs: Vec<(u128, u32, u32)>,
-    /// The bits of exponents that there is no room for.
-    excess: u128,
+    /// The bits of exponents of parameters and of symbols that there is no room for.
+    excess: [u128; 2],
 }
 
 impl Transfer<'_> {
     /// The monomial in the other ring. It leaves the computation if an exponent is beyond its range.
     pub(crate) fn monomial(&self, monomial: Monomial) -> Monomial {
-        if monomial.0 & self.excess != 0 {
-            self.to.refuse_exponent();
+        if monomial.0 & (self.excess[0] | self.excess[1]) != 0 {
+            self.to.refuse_exponent(usize::from(monomial.0 & self.excess[0] == 0));
         }
         let mut word = 0;
         let runs = self.runs.as_slice();
@@ -350,6 +383,16 @@ impl Transfer<'_> {
         }
         Monomial(word)
     }
+}
+
+/// The bits of the exponent of each parameter and of each symbol, for `count` variables in a word of `room` bits.
+fn exponent_bits(room: u32, parameters: u32, count: u32) -> [u32; 2] {
+    let equal = (room / count.max(1)).min(MOST_BITS);
+    let left = room.saturating_sub(PARAMETER_BITS * parameters) / (count - parameters).max(1);
+    if equal + 1 >= PARAMETER_BITS || parameters == count || left < LEAST_BITS {
+        return [equal; 2];
+    }
+    [PARAMETER_BITS, left.min(MOST_BITS)]
 }
 
 /// The last generator, which may contain all others in its radicand, is the most significant one.
@@ -396,6 +439,8 @@ fn merge(a: &[Variable], b: &[Variable]) -> Vec<Variable> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     #[test]
@@ -422,6 +467,64 @@ mod tests {
         let narrow =
             budget::with_budget(1, || small.transfer(&large).monomial(small.monomial(&[0, 512, 0], &[0])));
         assert!(narrow.unwrap_err().to_string().contains("beyond 511"));
+    }
+
+    proptest! {
+        #[test]
+        fn words_agree_with_lists_of_exponents(
+            count in 1_usize..9,
+            lists in [prop::collection::vec(0_u32..40, 8), prop::collection::vec(0_u32..40, 8)],
+            generators in [[0_u32..2, 0_u32..2], [0_u32..2, 0_u32..2]],
+        ) {
+            let field = (crate::Poly::sqrt_of(&crate::integer(2)) + crate::Poly::sqrt_of(&crate::integer(3))).ring().field().clone();
+            // Every second variable of the larger ring.
+            let ring = Ring::new((0..count as u32).map(|rank| Variable::new(2 * rank, "x")), field.clone());
+            let large = Ring::new((0..2 * count as u32).map(|rank| Variable::new(rank, "x")), field);
+            let [a, b] = lists.map(|list| list[..count].to_vec());
+            let [x, y] = [(&a, generators[0]), (&b, generators[1])].map(|(list, own)| ring.monomial(list, &own));
+            prop_assert_eq!((ring.exponents(x), ring.generator_exponents(x)), (a.clone(), generators[0].to_vec()));
+            prop_assert_eq!(x.cmp(&y), a.cmp(&b).then(generators[0].iter().rev().cmp(generators[1].iter().rev())));
+            let each = |f: fn(u32, u32) -> u32| a.iter().zip(&b).map(|(&i, &j)| f(i, j)).collect::<Vec<u32>>();
+            let most = [0, 1].map(|i: usize| generators[0][i].max(generators[1][i]));
+            prop_assert_eq!(ring.maximum(x.0, y.0), ring.monomial(&each(u32::max), &most).0);
+            let divisor = ring.variable_part(y);
+            let divides = a.iter().zip(&b).all(|(i, j)| i >= j);
+            let quotient = ring.quotient(x, divisor);
+            prop_assert_eq!(quotient, divides.then(|| ring.monomial(&each(u32::saturating_sub), &generators[0])));
+            prop_assert_eq!(ring.variable_part(x).0 + divisor.0, ring.monomial(&each(|i, j| i + j), &[]).0);
+            let there = ring.transfer(&large).monomial(x);
+            let spread: Vec<u32> = a.iter().flat_map(|&exponent| [exponent, 0]).collect();
+            prop_assert_eq!(there, large.monomial(&spread, &generators[0]));
+            prop_assert_eq!(large.transfer(&ring).monomial(there), x);
+        }
+    }
+
+    #[test]
+    fn parameters_of_many_symbols_have_larger_exponents() {
+        let variable = |i: u32| Variable::new(if i < 2 { i } else { Variable::SYMBOL }, &format!("x{i:02}"));
+        let field = crate::Poly::sqrt_of(&crate::integer(2)).ring().field().clone();
+        let [small, large] = [4, 24].map(|count| Ring::new((0..count).map(variable), field.clone()));
+        let within = |ring: &Ring, list: &[u32]| {
+            let mut exponents = list.to_vec();
+            exponents.resize(ring.variables().len(), 0);
+            ring.monomial(&exponents, &[1])
+        };
+        let word = within(&large, &[200, 3, 7, 5]);
+        assert_eq!(small.transfer(&large).monomial(within(&small, &[200, 3, 7, 5])), word);
+        assert_eq!(large.transfer(&small).monomial(word), within(&small, &[200, 3, 7, 5]));
+        assert_eq!((large.max_exponent(), large.exponents(word)[..4].to_vec()), (7, vec![200, 3, 7, 5]));
+        let other = within(&large, &[17, 255, 2, 6]);
+        assert_eq!(large.maximum(word.0, other.0), within(&large, &[200, 255, 7, 6]).0);
+        let divisor = large.variable_part(within(&large, &[1, 3, 7, 0]));
+        assert_eq!(large.quotient(word, divisor), Some(within(&large, &[199, 0, 0, 5])));
+        assert_eq!(large.quotient(other, divisor), None);
+        for (exponents, text) in [([0, 256, 0, 0], "beyond 255"), ([0, 0, 0, 8], "beyond 7")] {
+            let transferred = || small.transfer(&large).monomial(within(&small, &exponents));
+            let error = budget::with_budget(1, transferred).unwrap_err();
+            assert!(error.to_string().contains(text), "{error}");
+            let error = budget::with_budget(1, || within(&large, &exponents)).unwrap_err();
+            assert!(error.to_string().contains(text), "{error}");
+        }
     }
 
     #[test]

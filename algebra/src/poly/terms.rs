@@ -6,7 +6,7 @@ use super::Term;
 use super::ring::Ring;
 use crate::{Int, budget};
 
-/// `a·x + b·y` for sorted lists `x` and `y`.
+/// `a·x + b·y` for sorted lists `x` and `y`, which are merged: linear in their lengths.
 pub(crate) fn linear_combination(a: &Int, x: &[Term], b: &Int, y: &[Term]) -> Vec<Term> {
     budget::spend((x.len() + y.len()) as u64);
     let mut sum = Vec::with_capacity(x.len() + y.len());

@@ -3,6 +3,7 @@
 use num_traits::One;
 
 use super::interval::Interval;
+use super::tensor::Tensor;
 use crate::{Int, Poly, Rational, Variable, budget};
 
 /// One direction of a [`Bernstein`] form: a variable, the interval that it runs over, and the degree in it.
@@ -14,6 +15,16 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// The axes of the box `domain`, of the degrees that `poly` has.
+    pub(super) fn all(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<Axis> {
+        let axis = |(variable, interval): &(Variable, Interval)| Axis {
+            variable: variable.clone(),
+            interval: interval.clone(),
+            degree: poly.degree(variable).unwrap_or(0),
+        };
+        domain.iter().map(axis).collect()
+    }
+
     /// The variable.
     #[must_use]
     pub fn variable(&self) -> &Variable {
@@ -38,7 +49,8 @@ impl Axis {
 /// the variables run over their intervals.
 ///
 /// The coefficients are numbers, or polynomials in whatever other variables occur. If they are numbers, the values on
-/// the box lie between the least and the greatest of them, and those at the corners are values of `f`.
+/// the box lie between the least and the greatest of them, and those at the corners are values of `f` (Farouki, *The Bernstein
+/// polynomial basis: a centennial retrospective*, 2012).
 ///
 /// # Example
 /// ```
@@ -60,7 +72,8 @@ pub struct Bernstein {
 impl Bernstein {
     /// The form of `poly` over the box `domain`, of the polynomial's own degree in each variable.
     ///
-    /// Complexity: `O(n)` operations on polynomials for each coefficient, where `n` is the degree.
+    /// Complexity: `O(n)` operations for each coefficient, where `n` is the degree: on integers if the ends of all intervals
+    /// are rational, else on polynomials.
     #[must_use]
     pub fn new(poly: &Poly, domain: &[(Variable, Interval)]) -> Bernstein {
         let degrees = domain.iter().map(|(variable, _)| poly.degree(variable).unwrap_or(0));
@@ -91,7 +104,13 @@ impl Bernstein {
             degree,
         };
         let axes: Vec<Axis> = domain.iter().zip(degrees).map(axis).collect();
-        let coefficients = convert(poly, &axes);
+        let coefficients = budget::doing("a Bernstein form", || match Tensor::new(poly, &axes) {
+            Some(tensor) => {
+                let count = axes.iter().map(|axis| axis.degree as usize + 1).product();
+                tensor.into_polys(poly, count)
+            }
+            None => convert(poly, &axes),
+        });
         Bernstein { axes, coefficients }
     }
 
@@ -249,6 +268,7 @@ fn binomials(degree: usize) -> Vec<Vec<Int>> {
     rows
 }
 
+/// The coefficients over a box with any ends, by general arithmetic.
 fn convert(poly: &Poly, axes: &[Axis]) -> Vec<Poly> {
     let Some((axis, rest)) = axes.split_first() else { return vec![poly.clone()] };
     let degree = axis.degree as usize;

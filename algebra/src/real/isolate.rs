@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_traits::{One, Signed, Zero};
 
-use super::bernstein::{Bernstein, variations};
+use super::bernstein::variations;
 use super::interval::Interval;
 use super::net::Net;
 use crate::{Int, Poly, Rational, Variable, budget, ratio};
@@ -23,7 +23,8 @@ pub(crate) enum Place {
 ///
 /// Bisection, decided by the sign variations of the Bernstein coefficients: none means no root inside, one means one
 /// (Mourrain, Rouillier and Roy, *The Bernstein basis and real root isolation*, 2005). It ends because the roots are
-/// simple. Complexity: `O(n²)` sums of integers for each bisection.
+/// simple. Complexity: `O(n²)` sums of integers for each bisection. Sturm's sequence, which counts roots as well, would be
+/// evaluated anew for each bisection, where the coefficients of the halves of a form come from its own ones.
 pub(crate) fn isolate(poly: &Poly, variable: &Variable, lower: &Rational, upper: &Rational) -> Vec<Place> {
     let mut places = Vec::new();
     let ends = Interval::new(Poly::constant(lower.clone()), Poly::constant(upper.clone()));
@@ -34,13 +35,17 @@ pub(crate) fn isolate(poly: &Poly, variable: &Variable, lower: &Rational, upper:
         }
         return places;
     };
-    let Some(net) = Net::new(&Bernstein::new(poly, &[(variable.clone(), interval)])) else { return places };
+    let Some(net) = Net::of(poly, &[(variable.clone(), interval)]) else { return places };
     if net.corner_sign(&[false]).is_eq() {
         places.push(Place::Point(lower.clone()));
     }
     let root_at_upper = net.corner_sign(&[true]).is_eq();
     let mut stack = vec![(net, lower.clone(), upper.clone(), false)];
+    let mut done = 0;
     while let Some((net, lower, upper, root_at_lower)) = stack.pop() {
+        // As far as it is known yet, each interval in hand is a step.
+        budget::progress(done, done + 1 + stack.len() as u64);
+        done += 1;
         if root_at_lower {
             places.push(Place::Point(lower.clone()));
         }

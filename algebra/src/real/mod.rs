@@ -7,4 +7,5 @@ mod net;
 pub(crate) mod positivity;
 pub(crate) mod roots;
 pub(crate) mod subdivision;
+mod tensor;
 pub(crate) mod zeros;

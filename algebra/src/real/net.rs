@@ -5,12 +5,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
-use super::bernstein::Bernstein;
+use super::bernstein::{Axis, Bernstein};
+use super::interval::Interval;
+use super::tensor::Tensor;
 use crate::number::field;
 use crate::poly::Ring;
-use crate::{Int, NumberField, Poly, Rational, budget};
+use crate::{Int, Monomial, NumberField, Poly, Rational, Variable, budget};
 
 /// Widths in bits at which enclosures of the basis decide a sign before exact arithmetic is asked.
 const PRECISIONS: [u64; 2] = [28, 192];
@@ -74,6 +76,36 @@ pub(crate) struct Net {
 }
 
 impl Net {
+    /// The net of a polynomial over the box `domain`, of its own degrees; `None` if other variables occur.
+    pub(crate) fn of(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<Net> {
+        let axes = Axis::all(poly, domain);
+        let Some(tensor) = Tensor::new(poly, &axes) else { return Net::new(&Bernstein::new(poly, domain)) };
+        let ring = poly.ring();
+        if tensor.layers.keys().any(|&word| ring.variable_part(Monomial(word)) != Monomial::ONE) {
+            return None;
+        }
+        let lengths: Vec<usize> = axes.iter().map(|axis| axis.degree() as usize + 1).collect();
+        let product = |word: &u128| -> Poly {
+            let exponents = ring.generator_exponents(Monomial(*word));
+            let chosen = (0..exponents.len()).filter(|&i| exponents[i] == 1);
+            chosen.map(|i| Poly::generator(ring.field(), i)).product()
+        };
+        let mut elements: Vec<Poly> = tensor.layers.keys().map(product).collect();
+        if elements.is_empty() {
+            elements.push(Poly::one());
+        }
+        let mut cells = vec![Int::ZERO; lengths.iter().product::<usize>() * elements.len()];
+        let width = elements.len();
+        for (element, layer) in tensor.layers.into_values().enumerate() {
+            for (place, coefficient) in layer.into_iter().enumerate() {
+                cells[place * width + element] =
+                    if tensor.content.is_negative() { -coefficient } else { coefficient };
+            }
+        }
+        let net = Net { basis: Arc::new(Basis::new(elements)), lengths, cells: Vec::new() };
+        Some(net.with_cells(cells))
+    }
+
     /// The net of a Bernstein form; `None` if a coefficient is not a number.
     pub(crate) fn new(form: &Bernstein) -> Option<Net> {
         let coefficients = form.coefficients();
@@ -110,9 +142,9 @@ impl Net {
         Some(Net { basis: Arc::new(Basis::new(elements)), lengths, cells })
     }
 
-    /// The number of integers in it.
-    pub(crate) fn size(&self) -> usize {
-        self.cells.len()
+    /// The number of machine words of all integers in it.
+    pub(crate) fn words(&self) -> u64 {
+        self.cells.iter().map(|cell| 1 + cell.bits() / 64).sum()
     }
 
     /// The number of coefficients along each axis.
@@ -173,11 +205,14 @@ impl Net {
     /// The nets of both halves along an axis.
     ///
     /// De Casteljau's algorithm at 1/2 with sums in place of means: the `r`-th row of sums is `2^r` times the row of
-    /// means, so multiplying with `2^(n − r)` gives integers, times the same `2^n` everywhere.
+    /// means, so multiplying with `2^(n − r)` gives integers, times the same `2^n` everywhere. Complexity: `n²` additions for
+    /// each line of `n` coefficients, without a division.
     pub(crate) fn halves(&self, axis: usize) -> (Net, Net) {
         let length = self.lengths[axis];
         let inner = self.basis.elements.len() * self.lengths[axis + 1..].iter().product::<usize>();
-        budget::spend(2 * (self.cells.len() * length) as u64);
+        // Each half sums as many lines as the whole, of numbers that grow by a bit for each sum.
+        let words = self.cells.iter().map(Int::bits).max().unwrap_or(0) / 64;
+        budget::spend((self.cells.len() * length) as u64 * (1 + words / 8) / 2);
         let (mut low, mut high) = (self.cells.clone(), self.cells.clone());
         for (block, (low, high)) in self
             .cells
@@ -197,7 +232,25 @@ impl Net {
                 }
             }
         }
-        (self.with_cells(low), self.with_cells(high))
+        (self.without_twos(low), self.without_twos(high))
+    }
+
+    /// The same net with other cells, of which the common power of two is taken out: all that halving puts in.
+    fn without_twos(&self, mut cells: Vec<Int>) -> Net {
+        let mut twos = None;
+        for cell in cells.iter().filter(|cell| !cell.is_zero()) {
+            let own = cell.trailing_zeros().unwrap_or(0);
+            twos = Some(twos.map_or(own, |twos: u64| twos.min(own)));
+            if own == 0 {
+                break;
+            }
+        }
+        if let Some(twos @ 1..) = twos {
+            for cell in &mut cells {
+                *cell = cell.shr(twos);
+            }
+        }
+        Net { basis: self.basis.clone(), lengths: self.lengths.clone(), cells }
     }
 
     /// The same net with other cells, of which the common divisor is taken out.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use super::bernstein::{Bernstein, variations};
+use super::bernstein::variations;
 use super::interval::Interval;
 use super::isolate::{self, Place, sign_at};
 use super::net::Net;
@@ -218,7 +218,7 @@ impl RealRoot {
                 Value::Isolated { lower, upper, .. } => (lower, upper),
             };
             let interval = Interval::new(Poly::constant(lower.clone()), Poly::constant(upper.clone()))?;
-            let net = Net::new(&Bernstein::new(poly, &[(self.variable.clone(), interval)]))?;
+            let net = Net::of(poly, &[(self.variable.clone(), interval)])?;
             if variations(net.signs()) == 0 {
                 return net.signs().find(|sign| sign.is_ne());
             }

@@ -3,10 +3,9 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, VecDeque};
 
-use super::bernstein::{Axis, Bernstein};
 use super::interval::Interval;
 use super::net::Net;
-use crate::{Int, Poly, Rational, Variable};
+use crate::{Int, Poly, Rational, Variable, budget};
 
 /// A point: a number for each variable. A variable without a number is free.
 pub type Point = BTreeMap<Variable, Poly>;
@@ -28,9 +27,9 @@ pub(crate) enum Decision {
 /// changes its sign across every curve of zeros, which a coarser box shows.
 const MOST_HALVINGS: u32 = 96;
 /// How many boxes are looked at, at most.
-const MOST_BOXES: usize = 20_000;
-/// How many coefficients all boxes together have, at most.
-const MOST_COEFFICIENTS: usize = 1 << 22;
+const MOST_BOXES: u64 = 20_000;
+/// How many words the coefficients of all boxes together have, at most.
+const MOST_WORDS: u64 = 1 << 24;
 
 /// Decides the sign of a nonzero `poly` on the box `domain`, which names all its variables.
 ///
@@ -40,23 +39,20 @@ const MOST_COEFFICIENTS: usize = 1 << 22;
 /// first, so that a change of sign is found at its coarsest scale. `cuts` are values of variables where the box is
 /// divided at first; a zero on an edge is certified only when it becomes a corner.
 pub(crate) fn decide(poly: &Poly, domain: &[(Variable, Interval)], cuts: &[(Variable, Poly)]) -> Decision {
-    let mut forms = vec![Bernstein::new(poly, domain)];
+    let mut regions = vec![domain.to_vec()];
     for (variable, value) in cuts {
         let Some(axis) = domain.iter().position(|(other, _)| other == variable) else { continue };
-        let cut = |form: Bernstein| match form.subdivided(axis, value) {
-            Some((below, above)) => vec![below, above],
-            None => vec![form],
-        };
-        forms = forms.into_iter().flat_map(cut).collect();
+        regions = regions.into_iter().flat_map(|region| divided(region, axis, value)).collect();
     }
     let whole = vec![Part { level: 0, index: Int::ZERO }; domain.len()];
-    let cell = |form| Net::new(form).map(|net| Cell { form, parts: whole.clone(), net, depth: 0 });
-    let mut queue: VecDeque<Cell<'_>> = forms.iter().filter_map(cell).collect();
+    let cell = |region| Net::of(poly, region).map(|net| Cell { region, parts: whole.clone(), net, depth: 0 });
+    let mut queue: VecDeque<Cell<'_>> = regions.iter().filter_map(|region| cell(region)).collect();
     let mut found = Found::default();
-    let (mut boxes, mut coefficients) = (0, 0);
+    let (mut boxes, mut words) = (0, 0);
     while let Some(cell) = queue.pop_front() {
+        budget::progress(boxes, MOST_BOXES);
         boxes += 1;
-        coefficients += cell.net.size();
+        words += cell.net.words();
         let definite = found.look_at(&cell);
         if let (Some(positive), Some(negative)) = (&found.positive, &found.negative) {
             return Decision::Changes { positive: positive.clone(), negative: negative.clone() };
@@ -64,7 +60,7 @@ pub(crate) fn decide(poly: &Poly, domain: &[(Variable, Interval)], cuts: &[(Vari
         if definite {
             continue;
         }
-        if cell.depth == MOST_HALVINGS || boxes == MOST_BOXES || coefficients > MOST_COEFFICIENTS {
+        if cell.depth == MOST_HALVINGS || boxes == MOST_BOXES || words > MOST_WORDS {
             return found.unknown(cell.depth);
         }
         let lengths = cell.net.lengths();
@@ -76,6 +72,20 @@ pub(crate) fn decide(poly: &Poly, domain: &[(Variable, Interval)], cuts: &[(Vari
     found.decision()
 }
 
+/// The parts of a box below and above `value` on an axis; the box itself if there are none.
+fn divided(region: Vec<(Variable, Interval)>, axis: usize, value: &Poly) -> Vec<Vec<(Variable, Interval)>> {
+    let (variable, interval) = &region[axis];
+    let below = Interval::new(interval.lower().clone(), value.clone());
+    let above = Interval::new(value.clone(), interval.upper().clone());
+    let (Some(below), Some(above)) = (below, above) else { return vec![region] };
+    let part = |interval| {
+        let mut part = region.clone();
+        part[axis] = (variable.clone(), interval);
+        part
+    };
+    vec![part(below), part(above)]
+}
+
 /// The part `[index/2^level, (index + 1)/2^level]` of the unit interval.
 #[derive(Clone)]
 struct Part {
@@ -83,9 +93,9 @@ struct Part {
     index: Int,
 }
 
-/// A box: parts of the intervals of a form, and the net of coefficients over it.
+/// A box: parts of the intervals of a larger one, and the net of coefficients over it.
 struct Cell<'a> {
-    form: &'a Bernstein,
+    region: &'a [(Variable, Interval)],
     parts: Vec<Part>,
     net: Net,
     depth: u32,
@@ -98,18 +108,18 @@ impl<'a> Cell<'a> {
             let mut parts = self.parts.clone();
             let Part { level, index } = &self.parts[axis];
             parts[axis] = Part { level: level + 1, index: index * Int::from(2) + Int::from(upper) };
-            Cell { form: self.form, parts, net, depth: self.depth + 1 }
+            Cell { region: self.region, parts, net, depth: self.depth + 1 }
         };
         [half(below, 0), half(above, 1)]
     }
 
     /// The point of the box that has, on each axis, the given number of halves of the width from the lower end.
     fn point(&self, halves: impl Fn(usize) -> i64) -> Point {
-        let axes = self.form.axes().iter().zip(&self.parts).enumerate();
-        let number = |(k, (axis, part)): (usize, (&Axis, &Part))| {
+        let axes = self.region.iter().zip(&self.parts).enumerate();
+        let number = |(k, ((variable, interval), part)): (usize, (&(Variable, Interval), &Part))| {
             let numerator = &part.index * Int::from(2) + Int::from(halves(k));
             let t = Rational::new(numerator, Int::ONE.shl(part.level + 1));
-            (axis.variable().clone(), axis.interval().point(&t))
+            (variable.clone(), interval.point(&t))
         };
         axes.map(number).collect()
     }

@@ -14,9 +14,6 @@ pub(super) struct Combination {
     terms: Vec<(Poly, [Poly; 3])>,
 }
 
-/// With more directions a combination gains nothing over the components.
-const MOST_DIRECTIONS: usize = 4;
-
 impl Combination {
     /// The derivative of a vector by a parameter, with the directions that may occur; `None` if it is zero.
     pub(super) fn derivative(
@@ -29,30 +26,31 @@ impl Combination {
             sum.add(&scalar.derivative(parameter), &part.reduced());
             sum.add(&scalar.reduced(), &part.derivative(parameter));
         }
-        if sum.terms.len() > MOST_DIRECTIONS {
+        if !sum.is_independent() {
             sum = Sum::new(known);
             sum.add(&Fraction::one(), &vector.derivative(parameter));
         }
-        sum.combined()
+        sum.combined(&[])
     }
 
     /// The vector product; `None` where both are parallel.
     pub(super) fn cross(&self, other: &Combination, known: &[[Poly; 3]]) -> Option<Direction> {
         let mut sum = Sum::new(known);
         for (a, p) in &self.terms {
-            for (b, q) in &other.terms {
-                if p != q {
-                    let minor = |i: usize, j: usize| &p[i] * &q[j] - &p[j] * &q[i];
-                    sum.add_direction(&(a * b).into(), [minor(1, 2), minor(2, 0), minor(0, 1)]);
-                }
+            for (b, q) in other.terms.iter().filter(|(_, q)| p != q) {
+                sum.add_direction(&(a * b).into(), product(p, q));
             }
         }
-        let product = sum.combined()?;
+        if !sum.is_independent() {
+            sum = Sum::new(known);
+            sum.add_direction(&Fraction::one(), product(&self.vector(), &other.vector()));
+        }
         let denominators = [&self.factor, &other.factor].into_iter().flat_map(Fraction::factors);
         // What the derivatives were divided by is likely to divide their product once more.
         let likely: Vec<&Poly> = denominators.map(|(factor, _)| factor).collect();
-        let direction = Direction::of_polynomials(product.vector(), &likely)?;
-        Some(direction.times(&product.factor.reduced_product(&self.factor.reduced_product(&other.factor))))
+        let combined = sum.combined(&likely)?;
+        let direction = Direction::of_polynomials(combined.vector(), &likely)?;
+        Some(direction.times(&combined.factor.reduced_product(&self.factor.reduced_product(&other.factor))))
     }
 
     /// The sum without its factor.
@@ -61,6 +59,12 @@ impl Combination {
             self.terms.iter().map(|(coefficient, direction)| coefficient * &direction[axis]).sum()
         })
     }
+}
+
+/// The vector product.
+fn product(p: &[Poly; 3], q: &[Poly; 3]) -> [Poly; 3] {
+    let minor = |i: usize, j: usize| &p[i] * &q[j] - &p[j] * &q[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// A sum of multiples of directions.
@@ -104,11 +108,43 @@ impl<'a> Sum<'a> {
         }
     }
 
-    /// The combination; `None` if no term is left.
-    fn combined(self) -> Option<Combination> {
+    /// Whether the directions are certainly linearly independent, so that the coefficients are determined: a sum where some cancel in
+    /// disguise would be much larger than its components.
+    fn is_independent(&self) -> bool {
+        match self.terms.as_slice() {
+            // No two are multiples of each other.
+            [] | [_] | [_, _] => true,
+            [(_, p), (_, q), (_, r)] => {
+                let at_sample = |vector: &[Poly; 3]| {
+                    vector.each_ref().map(|component| {
+                        let variables = component.occurring_variables().into_iter();
+                        // Numbers that belong to the variables, whichever occur.
+                        let number = |variable: &Variable| {
+                            let name = variable.name().bytes().fold(7, |sum, byte| 3 * sum + i64::from(byte));
+                            Poly::integer(2 + name % 97)
+                        };
+                        component.evaluate(
+                            &variables.map(|variable| (variable.clone(), number(&variable))).collect(),
+                        )
+                    })
+                };
+                let [p, q, r] = [p, q, r].map(at_sample);
+                let determinant: Poly = product(&p, &q).iter().zip(&r).map(|(a, b)| a * b).sum();
+                !determinant.is_zero()
+            }
+            _ => false,
+        }
+    }
+
+    /// The combination; `None` if no term is left. Likely common factors are tried first.
+    fn combined(self, likely: &[&Poly]) -> Option<Combination> {
         let common = Fraction::common_denominator(self.terms.iter().map(|(coefficient, _)| coefficient));
-        let (coefficients, directions): (Vec<Poly>, Vec<[Poly; 3]>) =
+        let (mut coefficients, directions): (Vec<Poly>, Vec<[Poly; 3]>) =
             self.terms.into_iter().map(|(c, direction)| (c.numerator_over(&common), direction)).unzip();
+        let mut factor = Poly::one();
+        for &candidate in likely {
+            factor *= candidate.pow(Poly::take_out_of_all(&mut coefficients, candidate, u32::MAX));
+        }
         let gcd = match coefficients.as_slice() {
             [] => return None,
             [only] => only.clone(),
@@ -116,6 +152,6 @@ impl<'a> Sum<'a> {
         };
         let quotient = |coefficient: Poly| coefficient.exact_div(&gcd).unwrap_or(coefficient);
         let terms = coefficients.into_iter().map(quotient).zip(directions).collect();
-        Some(Combination { factor: Fraction::new(gcd, common).reduced(), terms })
+        Some(Combination { factor: Fraction::new(factor * &gcd, common).reduced(), terms })
     }
 }

@@ -57,7 +57,8 @@ impl CommonZero {
     /// The system is reduced (products split into cases, linear combinations that are squares replaced by their roots,
     /// what lies in the ideal of the others dropped), and then the parameter is eliminated from what is left. Two
     /// polynomials have a common zero exactly where their resultant vanishes, unless both leading coefficients do; of more,
-    /// the resultants of the shortest one with all others must vanish.
+    /// the resultants of the shortest one with all others must vanish (Cox, Little and O'Shea, *Ideals, Varieties, and Algorithms*,
+    /// chapter 3, section 6). Complexity: that of the resultants, each of which is under a budget of its own.
     #[must_use]
     pub fn of(polynomials: &[Poly], parameter: &Variable) -> Vec<CommonZero> {
         let split = budget::with_budget(SPLITTING, || {

@@ -52,10 +52,7 @@ impl Direction {
         }
         let mut factor = Poly::one();
         for &candidate in likely {
-            while let Some(quotient) = divide_all(&vector, candidate) {
-                vector = quotient;
-                factor *= candidate;
-            }
+            factor *= candidate.pow(Poly::take_out_of_all(&mut vector, candidate, u32::MAX));
         }
         let gcd = budget::doing("the common factor of a vector", || Poly::gcd_many(&vector));
         let numerator = vector.map(|component| component.exact_div(&gcd).unwrap_or(component));
@@ -73,15 +70,4 @@ impl Direction {
     pub(super) fn times(&self, factor: &Fraction) -> Direction {
         Direction { factor: self.factor.reduced_product(factor), numerator: self.numerator.clone() }
     }
-}
-
-fn divide_all(vector: &[Poly; 3], divisor: &Poly) -> Option<[Poly; 3]> {
-    let mut order: Vec<usize> = vec![0, 1, 2];
-    // Short components fail sooner.
-    order.sort_by_key(|&i| vector[i].terms().len());
-    let mut quotients = vector.clone();
-    for i in order {
-        quotients[i] = vector[i].exact_div(divisor)?;
-    }
-    Some(quotients)
 }

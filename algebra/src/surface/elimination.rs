@@ -53,7 +53,8 @@ pub(crate) enum Quotient {
     Polynomial,
 }
 
-/// The remainder of a division by several polynomials in the lexicographic order of monomials.
+/// The remainder of a division by several polynomials in the lexicographic order of monomials (Cox, Little and O'Shea, *Ideals,
+/// Varieties, and Algorithms*, chapter 2, section 3).
 pub(crate) fn remainder(poly: &Poly, divisors: &[Poly], by: Quotient) -> Poly {
     let joint =
         divisors.iter().fold(poly.clone(), |joint, divisor| Poly::unify(&joint, divisor).0.into_owned());

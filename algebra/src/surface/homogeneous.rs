@@ -58,22 +58,14 @@ impl Homogeneous {
         let mut common_factor = Poly::one();
         let mut weight_factors = Vec::new();
         for (factor, exponent) in known {
-            let mut left = exponent;
-            while left > 0 {
-                let Some(quotients) = divide_all(&coordinates, &factor) else { break };
-                coordinates = quotients;
-                common_factor *= &factor;
-                left -= 1;
-            }
-            if left > 0 {
-                weight_factors.push((factor, left));
+            let common = Poly::take_out_of_all(&mut coordinates, &factor, exponent);
+            common_factor *= factor.pow(common);
+            if common < exponent {
+                weight_factors.push((factor, exponent - common));
             }
         }
         let rest = budget::doing("the common factor of W, X, Y, Z", || Poly::gcd_many(&coordinates));
-        if !rest.is_constant()
-            && let Some(quotients) = divide_all(&coordinates, &rest)
-        {
-            coordinates = quotients;
+        if Poly::take_out_of_all(&mut coordinates, &rest, 1) == 1 {
             common_factor *= &rest;
             weight_factors = coordinates[0].squarefree().factors;
         }
@@ -196,11 +188,6 @@ fn without_content(coordinates: [Poly; 4]) -> [Poly; 4] {
     let negative = coordinates[0].content().is_negative();
     let scale = if negative { -content.recip() } else { content.recip() };
     coordinates.map(|coordinate| coordinate.scale(&scale).pruned())
-}
-
-fn divide_all(coordinates: &[Poly; 4], factor: &Poly) -> Option<[Poly; 4]> {
-    let [w, x, y, z] = coordinates.each_ref().map(|coordinate| coordinate.exact_div(factor));
-    Some([w?, x?, y?, z?])
 }
 
 impl fmt::Display for Homogeneous {

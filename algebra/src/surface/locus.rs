@@ -23,7 +23,8 @@ const LONG: usize = 60;
 /// It is a union of *alternatives*, each one a list of polynomials that vanish together. Products are split as far as
 /// squarefree decomposition, gcds and the discriminants of quadratic polynomials go; a sum of squares vanishes only
 /// where all of them do, since symbols are real. So no alternative contains another one as far as the remaining
-/// polynomials show.
+/// polynomials show. Gröbner bases or a cylindrical decomposition would decide more, at a cost that no budget bounds well; what is
+/// wanted here is the few short conditions that a person can read.
 ///
 /// # Example
 /// ```

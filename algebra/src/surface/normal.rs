@@ -64,6 +64,13 @@ impl Normal {
         Some(Normal { numerator, factor, parameters: parameters.clone(), length: OnceCell::new() })
     }
 
+    /// The same normal with a factor in lowest terms: parts that the known factors of its denominator have in common with its
+    /// numerator are cancelled as well.
+    #[must_use]
+    pub(crate) fn in_lowest_terms(self) -> Normal {
+        Normal { factor: self.factor.lowest_terms(), ..self }
+    }
+
     /// The components of the numerator.
     #[must_use]
     pub fn numerator(&self) -> &[Poly; 3] {

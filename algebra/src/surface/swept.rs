@@ -299,9 +299,12 @@ impl SweptSurface {
     /// # Errors
     /// [`OffsetError::NoSurface`] if `R_u × R_v` vanishes identically.
     pub fn normal(&self) -> Result<&Normal, OffsetError> {
-        let normal = self
-            .normal
-            .get_or_init(|| Normal::of(&self.position, &self.parameters, &self.domain, &self.directions));
+        let normal = self.normal.get_or_init(|| {
+            let normal = Normal::of(&self.position, &self.parameters, &self.domain, &self.directions)?;
+            // Where the coordinates lost a factor, those that the formula is written with are not the ones that are left.
+            let is_reduced = self.homogeneous().common_factor().is_constant();
+            Some(if is_reduced { normal } else { normal.in_lowest_terms() })
+        });
         normal.as_ref().ok_or(OffsetError::NoSurface)
     }
 

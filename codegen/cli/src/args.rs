@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use hodograph_algebra::budget;
 
 use crate::decimal::MAX_DIGITS;
 
@@ -48,6 +49,27 @@ pub(crate) struct Input {
     pub sweep: Option<String>,
 }
 
+/// How much work may be done.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct Budget {
+    /// The units of work that may go into the definitions of a file, into each derivation, and into each claim; beyond
+    /// them, an error says how far it came. A unit takes some 30 ns
+    #[arg(long = "budget", value_name = "UNITS", default_value_t = budget::DEFAULT_LIMIT, value_parser = units)]
+    pub limit: u64,
+}
+
+impl Default for Budget {
+    fn default() -> Budget {
+        Budget { limit: budget::DEFAULT_LIMIT }
+    }
+}
+
+/// A number of units, such as `300000000` or `300_000_000`.
+fn units(text: &str) -> Result<u64, String> {
+    let units = text.replace('_', "").parse().map_err(|error| format!("{error}"))?;
+    if units == 0 { Err("nothing can be computed with 0 units".to_owned()) } else { Ok(units) }
+}
+
 /// `hodograph verify`
 #[derive(Debug, Default, Args)]
 pub(crate) struct VerifyArguments {
@@ -58,6 +80,8 @@ pub(crate) struct VerifyArguments {
     /// The form of the result
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub budget: Budget,
 }
 
 /// `hodograph derive`
@@ -68,6 +92,8 @@ pub(crate) struct DeriveArguments {
     /// The form of the result
     #[arg(long, value_enum, default_value_t)]
     pub format: DeriveFormat,
+    #[command(flatten)]
+    pub budget: Budget,
 }
 
 /// `hodograph eval`
@@ -93,6 +119,8 @@ pub(crate) struct EvalArguments {
     /// The form of the result
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub budget: Budget,
 }
 
 /// `hodograph emit`
@@ -112,6 +140,8 @@ pub(crate) struct EmitArguments {
     /// Write nothing; compare the file with what would be written
     #[arg(long, requires = "output")]
     pub check: bool,
+    #[command(flatten)]
+    pub budget: Budget,
 }
 
 /// Forms of results.
@@ -194,5 +224,19 @@ mod tests {
         assert_eq!((eval.u.as_str(), eval.v.as_str(), eval.digits), ("-1/2", "-sqrt(2)", 17));
         assert_eq!(eval.what.name(), "point");
         assert_eq!(Quantity::UnitNormal.name(), "unit-normal");
+    }
+
+    #[test]
+    fn budgets_are_numbers_of_units() {
+        let limit = |arguments: &[&str]| match Arguments::try_parse_from(arguments) {
+            Ok(Arguments { command: Some(Command::Verify(verify)) }) => Some(verify.budget.limit),
+            _ => None,
+        };
+        assert_eq!(limit(&["hodograph", "verify"]), Some(budget::DEFAULT_LIMIT));
+        assert_eq!(VerifyArguments::default().budget.limit, budget::DEFAULT_LIMIT);
+        assert_eq!(limit(&["hodograph", "verify", "--budget", "1_000_000"]), Some(1_000_000));
+        for wrong in ["0", "-1", "1e9", "many", "99999999999999999999"] {
+            assert_eq!(limit(&["hodograph", "verify", "--budget", wrong]), None, "{wrong}");
+        }
     }
 }

@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &EmitArguments) -> Result<ExitCode, Failure> {
     if arguments.target == Target::C {
         return Err(Failure::new("sources in C are not available yet").help("use `--target rust`"));
     }
-    let document = input::load(&arguments.input.input)?;
+    let document = input::load(&arguments.input.input, arguments.budget.limit)?;
     let text = rust(&document, arguments)?;
     match &arguments.output {
         None => console::print(&text)?,

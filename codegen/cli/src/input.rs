@@ -6,7 +6,7 @@ use std::path::Path;
 
 use hodograph_codegen::language::ast::{self, ItemKind};
 use hodograph_codegen::language::{MAX_LENGTH, Report, Source, closest, decode, parse_text};
-use hodograph_codegen::meaning::{Model, models};
+use hodograph_codegen::meaning::{Model, models_within};
 
 use crate::failure::Failure;
 
@@ -86,47 +86,47 @@ impl Document {
 
 /// The document at `input`: a path, `-`, or the name of a sweep, a lemma or a file of the catalogue.
 ///
-/// What exists as a file, has a path separator or ends in `.sweep` is a path.
+/// What exists as a file, has a path separator or ends in `.sweep` is a path. Its definitions may take `limit` units of work.
 ///
 /// # Errors
 /// Nothing of that name; a file that cannot be read; all mistakes in it.
-pub(crate) fn load(input: &str) -> Result<Document, Failure> {
+pub(crate) fn load(input: &str, limit: u64) -> Result<Document, Failure> {
     if input == STANDARD_INPUT {
-        return document("<standard input>", &bounded(io::stdin(), "standard input")?);
+        return document("<standard input>", &bounded(io::stdin(), "standard input")?, limit);
     }
     let path = Path::new(input);
     let is_path = input.contains(std::path::is_separator) || input.ends_with(".sweep");
     // A directory may happen to have the name of an entry.
     if is_path || path.is_file() {
-        return document(input, &read(path, input)?);
+        return document(input, &read(path, input)?, limit);
     }
-    match entry(input)? {
+    match entry(input, limit)? {
         Some(document) => Ok(document),
-        None if path.exists() => document(input, &read(path, input)?),
+        None if path.exists() => document(input, &read(path, input)?, limit),
         None => Err(unknown(input)),
     }
 }
 
-/// All documents of the catalogue, in its order.
+/// All documents of the catalogue, in its order; the definitions of each may take `limit` units of work.
 ///
 /// # Errors
 /// Mistakes in a formula of the catalogue.
-pub(crate) fn catalogue() -> Result<Vec<Document>, Failure> {
+pub(crate) fn catalogue(limit: u64) -> Result<Vec<Document>, Failure> {
     hodograph::sources()
         .iter()
-        .map(|source| document(&file_name(source.name), source.text.as_bytes()))
+        .map(|source| document(&file_name(source.name), source.text.as_bytes(), limit))
         .collect()
 }
 
-/// The documents at all inputs.
+/// The documents at all inputs, as [`load`] gives them.
 ///
 /// # Errors
 /// The failures of all inputs together.
-pub(crate) fn load_all(inputs: &[String]) -> Result<Vec<Document>, Failure> {
+pub(crate) fn load_all(inputs: &[String], limit: u64) -> Result<Vec<Document>, Failure> {
     let mut documents = Vec::new();
     let mut failures = Vec::new();
     for input in inputs {
-        match load(input) {
+        match load(input, limit) {
             Ok(document) => documents.push(document),
             Err(failure) => failures.push(failure),
         }
@@ -135,17 +135,17 @@ pub(crate) fn load_all(inputs: &[String]) -> Result<Vec<Document>, Failure> {
 }
 
 /// The entry of the catalogue with this name: an item, else a file.
-fn entry(name: &str) -> Result<Option<Document>, Failure> {
+fn entry(name: &str, limit: u64) -> Result<Option<Document>, Failure> {
     let mut whole = None;
     for source in hodograph::sources() {
         let named = file_name(source.name);
         let (file, _) = parse_text(&named, source.text)?;
         if file.items.iter().any(|item| item.name.value == name) {
-            let document = document(&named, source.text.as_bytes())?;
+            let document = document(&named, source.text.as_bytes(), limit)?;
             return Ok(Some(Document { selected: Some(name.to_owned()), ..document }));
         }
         if source.name == name {
-            whole = Some(document(&named, source.text.as_bytes())?);
+            whole = Some(document(&named, source.text.as_bytes(), limit)?);
         }
     }
     Ok(whole)
@@ -197,9 +197,9 @@ fn bounded(reader: impl Read, name: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn document(name: &str, bytes: &[u8]) -> Result<Document, Failure> {
+fn document(name: &str, bytes: &[u8], limit: u64) -> Result<Document, Failure> {
     let (file, source) = parse_text(name, decode(name, bytes)?)?;
-    let (models, diagnostics) = models(&file);
+    let (models, diagnostics) = models_within(&file, limit);
     if !diagnostics.is_empty() {
         return Err(Failure::Report(Box::new(Report::new(source, diagnostics))));
     }

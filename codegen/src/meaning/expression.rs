@@ -21,13 +21,20 @@ const MAX_LEVELS: usize = 64;
 thread_local! {
     /// The levels under way.
     static LEVELS: Cell<usize> = const { Cell::new(0) };
+    /// The innermost expression whose value is under way, or was when a budget was exhausted.
+    static PLACE: Cell<Option<Span>> = const { Cell::new(None) };
+}
+
+/// The innermost expression whose value was being computed when a budget was exhausted last; asking forgets it.
+pub(super) fn place_of_exhaustion() -> Option<Span> {
+    PLACE.take()
 }
 
 impl Scope {
     /// The value of an expression.
     pub(super) fn evaluate(&self, expr: &Expr) -> Result<Value, Fault> {
         budget::spend(1);
-        let Some(_level) = Level::enter() else {
+        let Some(_level) = Level::enter(expr.span()) else {
             let message = format!("this is nested more than {MAX_LEVELS} levels deep");
             return Err(Fault::new(expr.span(), message).help("name its parts with `let`"));
         };
@@ -170,15 +177,18 @@ impl Scope {
 }
 
 /// One level of an expression that is being evaluated.
-struct Level;
+struct Level {
+    /// The expression that this one is a part of.
+    outer: Option<Span>,
+}
 
 impl Level {
-    /// One level deeper; `None` at [`MAX_LEVELS`].
-    fn enter() -> Option<Level> {
+    /// One level deeper, into the expression at `place`; `None` at [`MAX_LEVELS`].
+    fn enter(place: Span) -> Option<Level> {
         let level = LEVELS.get();
         (level < MAX_LEVELS).then(|| {
             LEVELS.set(level + 1);
-            Level
+            Level { outer: PLACE.replace(Some(place)) }
         })
     }
 }
@@ -186,6 +196,10 @@ impl Level {
 impl Drop for Level {
     fn drop(&mut self) {
         LEVELS.set(LEVELS.get() - 1);
+        // A computation that is left by unwinding leaves its place behind.
+        if !std::thread::panicking() {
+            PLACE.set(self.outer);
+        }
     }
 }
 

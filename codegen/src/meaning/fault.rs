@@ -118,8 +118,8 @@ impl Fault {
 
     /// Work beyond the budget.
     pub(super) fn exhausted(span: Span, error: &Exhausted) -> Fault {
-        let message = error.to_string();
-        Fault::new(span, message).help("use smaller degrees, fewer symbols, or simpler numbers").undecidable()
+        let fault = Fault::new(span, error.to_string());
+        fault.help("use smaller degrees, fewer symbols, or simpler numbers").undecidable()
     }
 
     /// The same for something that exists, but cannot be decided here.

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use hodograph_algebra::{Curve, Fraction, Interval, Poly, SweptSurface, Variable, Vector, budget};
 
 use super::curves::{self, CurveContext};
+use super::expression;
 use super::fault::Fault;
 use super::group::CoefficientGroup;
 use super::scope::Scope;
@@ -56,11 +57,13 @@ pub struct Model {
     pub surface: Option<Rc<SweptSurface>>,
     /// The claims, in the order of the source.
     pub claims: Vec<Claim>,
+    /// The units of work that a derivation or a program of the surface may take; see [`models_within`].
+    pub limit: u64,
     pub(super) path: Option<String>,
     pub(super) scope: Scope,
 }
 
-/// The models of all items of a file, and the mistakes in them.
+/// The models of all items of a file, and the mistakes in them, within [`budget::DEFAULT_LIMIT`].
 ///
 /// # Example
 /// ```
@@ -75,20 +78,46 @@ pub struct Model {
 /// ```
 #[must_use]
 pub fn models(file: &File) -> (Vec<Model>, Diagnostics) {
+    models_within(file, budget::DEFAULT_LIMIT)
+}
+
+/// The models of all items of a file, and the mistakes in them. The clauses of the whole file, but for the claims, may
+/// take `limit` units of work together, and so may what is derived from each model: see [`Model::limit`].
+///
+/// # Example
+/// ```
+/// use hodograph_codegen::{language::{Report, parse_text}, meaning::models_within};
+///
+/// let text = "lemma power { domain u in 0..1; symbol a; let small = (u + a)^2; let f = 1 + (u + a)^60; }";
+/// let (file, source) = parse_text("power", text).unwrap();
+/// assert!(models_within(&file, 100_000).1.is_empty());
+/// let report = Report::new(source, models_within(&file, 1000).1);
+/// assert!(report.lines()[0].starts_with("power:1:78: this needs more than the budget of 1000 units of work"));
+/// ```
+#[must_use]
+pub fn models_within(file: &File, limit: u64) -> (Vec<Model>, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let mut models = Vec::new();
+    let mut left = limit;
     for item in &file.items {
-        match model(item, &mut diagnostics) {
+        let (model, spent) = budget::measured(|| model(item, limit, left, &mut diagnostics));
+        match model {
             Some(model) => models.push(model),
             None => debug_assert!(!diagnostics.is_empty()),
+        }
+        left = left.saturating_sub(spent);
+        if left == 0 {
+            break;
         }
     }
     (models, diagnostics)
 }
 
-fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
+/// The model of an item, of which `left` units are left for its clauses.
+fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> Option<Model> {
     let before = diagnostics.count();
-    let mut scope = Scope::new(parameters(item));
+    let mut scope = Scope::new(parameters(item), limit);
+    scope.left = left;
     scope.has_surface = surface_place(item).is_some();
     for name in parameter_names(item) {
         if let Some(taken) = scope.reserved(&name.value) {
@@ -113,7 +142,8 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
             |clause| if let ClauseKind::Claim(claim) = &clause.kind { Some(claim.clone()) } else { None },
         )
         .collect();
-    for claim in &claims {
+    // Without budget, definitions are missing that are no mistake.
+    for claim in claims.iter().filter(|_| scope.left > 0) {
         for expr in std::iter::once(&claim.relation).chain(&claim.conditions) {
             check_names(&scope, expr, diagnostics);
         }
@@ -127,6 +157,7 @@ fn model(item: &Item, diagnostics: &mut Diagnostics) -> Option<Model> {
         place: surface_place(item).unwrap_or(item.name.span),
         docs: item.docs.iter().map(|line| line.value.trim().to_owned()).collect(),
         source,
+        limit,
         formula: formula(item, surface.as_deref()),
         surface,
         claims,
@@ -146,7 +177,7 @@ fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
         _ => None,
     });
     for interval in intervals.flatten() {
-        let result = guarded(interval.start.span().to(interval.end.span()), || {
+        let result = guarded(scope, interval.start.span().to(interval.end.span()), |scope| {
             domain(scope, &interval.parameter, &interval.start, &interval.end)
         });
         match result {
@@ -175,14 +206,23 @@ fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
             // Later clauses would only repeat that a name is missing.
             poison(scope, clause);
         }
+        if scope.left == 0 {
+            // Nor has any of them anything left to be computed with.
+            item.clauses.iter().for_each(|clause| poison(scope, clause));
+            break;
+        }
     }
     faults
 }
 
 /// The scope of an item where symbols have the given values: all of its clauses are evaluated anew, since a parametric
 /// speed, a gcd or a degree does not follow from its general form.
-pub(super) fn with_settings(item: &Rc<Item>, settings: BTreeMap<Variable, Fraction>) -> Result<Scope, Fault> {
-    let mut scope = Scope::new(parameters(item));
+pub(super) fn with_settings(
+    item: &Rc<Item>,
+    settings: BTreeMap<Variable, Fraction>,
+    limit: u64,
+) -> Result<Scope, Fault> {
+    let mut scope = Scope::new(parameters(item), limit);
     scope.item = Some(item.clone());
     scope.settings = settings;
     match run(item, &mut scope, symbolic_curves(item) > 1).into_iter().next() {
@@ -287,11 +327,33 @@ fn symbolic_curves(item: &Item) -> usize {
     item.clauses.iter().filter(symbolic).count()
 }
 
-/// Runs a part of the evaluation under the budget; the place is that of the expression.
-fn guarded<T>(span: Span, work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
-    match budget::with_budget(budget::DEFAULT_LIMIT, work) {
-        Ok(result) => result,
-        Err(exhausted) => Err(Fault::exhausted(span, &exhausted)),
+/// Runs a part of the evaluation under what is left of the budget. If that does not suffice, the place is that of the
+/// innermost expression whose value was being computed, or `span`, that of the whole.
+fn guarded<T>(
+    scope: &mut Scope,
+    span: Span,
+    work: impl FnOnce(&Scope) -> Result<T, Fault>,
+) -> Result<T, Fault> {
+    let left = scope.left;
+    let shared = &*scope;
+    let (outcome, spent) = budget::measured(|| budget::with_budget(left, || work(shared)));
+    let place = expression::place_of_exhaustion();
+    match outcome {
+        Ok(result) => {
+            scope.left = left.saturating_sub(spent);
+            result
+        }
+        Err(mut exhausted) => {
+            // What is beyond a range, rather than the budget, leaves the rest of it.
+            scope.left = if exhausted.reason.is_some() { left.saturating_sub(spent) } else { 0 };
+            if left < scope.limit {
+                let task = "the clauses before this one".into();
+                let units = scope.limit - left;
+                exhausted.limit = scope.limit;
+                exhausted.done.insert(0, budget::Finished { task, times: 1, units });
+            }
+            Err(Fault::exhausted(place.unwrap_or(span), &exhausted))
+        }
     }
 }
 
@@ -309,8 +371,8 @@ fn domain(scope: &Scope, parameter: &Name, start: &Expr, end: &Expr) -> Result<(
     }
 }
 
-fn surface_of(scope: &Scope, item: &Item, expr: &Expr, role: &str) -> Result<SweptSurface, Fault> {
-    guarded(expr.span(), || {
+fn surface_of(scope: &mut Scope, item: &Item, expr: &Expr, role: &str) -> Result<SweptSurface, Fault> {
+    guarded(scope, expr.span(), |scope| {
         let value = scope.evaluate(expr)?;
         let position = value.vector().ok_or_else(|| {
             let fault = Fault::new(
@@ -400,7 +462,7 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
             let name = curve.name.value.clone();
             let prefix = if prefixes { format!("{name}_") } else { String::new() };
             scope.curve = Some(CurveContext { name, parameter: parameter.clone(), prefix });
-            let value = guarded(curve.value.span(), || {
+            let value = guarded(scope, curve.value.span(), |scope| {
                 let value = scope.evaluate(&curve.value)?;
                 check_finite(&value, curve.value.span())?;
                 curve_value(scope, curve.role, &parameter, &value, curve.value.span())
@@ -478,7 +540,7 @@ fn let_value(scope: &mut Scope, definition: &Definition) -> Result<(), Fault> {
     scope.check_new(&definition.name)?;
     let parameters =
         definition.parameters.iter().map(|name| parameter(scope, name)).collect::<Result<Vec<_>, _>>()?;
-    let value = guarded(definition.value.span(), || {
+    let value = guarded(scope, definition.value.span(), |scope| {
         let value = scope.evaluate(&definition.value)?;
         let angle = parameters.is_empty();
         // An angle may have a name of its own, as long as it stays one.
@@ -506,7 +568,7 @@ fn substitute_parameter(scope: &mut Scope, definition: &Definition) -> Result<()
         return Err(Fault::new(parameter.span, "a substitution has no parameters of its own"));
     }
     let replaced = parameter(scope, name)?;
-    let substituted = guarded(definition.value.span(), || {
+    let substituted = guarded(scope, definition.value.span(), |scope| {
         let value = scope.scalar(&definition.value, "what is substituted")?;
         let values = [(replaced, value)].into();
         let position = Value::Vector(surface.position().clone());
@@ -556,7 +618,7 @@ impl Model {
     pub fn with_values(&self, values: &BTreeMap<Variable, Poly>) -> Result<Model, Box<Diagnostic>> {
         let settings = values.iter().map(|(symbol, value)| (symbol.clone(), value.clone().into())).collect();
         let scope = match &self.scope.item {
-            Some(item) => with_settings(item, settings).map_err(|fault| fault.diagnostic)?,
+            Some(item) => with_settings(item, settings, self.limit).map_err(|fault| fault.diagnostic)?,
             None => self.scope.clone(),
         };
         Ok(Model { surface: scope.surface.clone(), scope, ..self.clone() })

@@ -525,7 +525,7 @@
 //! | order of `diff` | 100; 6 for an unknown function |
 //! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial can hold: some 16 beside two parameters |
 //! | control points of `bezier` | 101 |
-//! | work for one clause | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units |
+//! | work for all clauses of a file, but for the claims | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units, or what [`models_within`] is given |
 //! | work for one claim | what [`Model::check`] is given |
 //!
 //! # Mistakes
@@ -565,6 +565,6 @@ mod witness;
 
 pub use expression::MAX_EXPONENT;
 pub use group::{CoefficientGroup, CoefficientKind};
-pub use item::{Model, models};
+pub use item::{Model, models, models_within};
 pub use judgement::Judgement;
 pub use number::number;

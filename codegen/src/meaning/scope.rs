@@ -94,11 +94,14 @@ pub(super) struct Scope {
     pub(super) settings: BTreeMap<Variable, Fraction>,
     /// The item's own surface.
     pub(super) surface: Option<Rc<SweptSurface>>,
+    /// The units of work for all clauses together, and what is left of them.
+    pub(super) limit: u64,
+    pub(super) left: u64,
 }
 
 impl Scope {
-    /// A scope with nothing but the parameters.
-    pub(super) fn new(parameters: Vec<Variable>) -> Scope {
+    /// A scope with nothing but the parameters, whose clauses may take `limit` units of work together.
+    pub(super) fn new(parameters: Vec<Variable>, limit: u64) -> Scope {
         Scope {
             values: BTreeMap::new(),
             poisoned: BTreeSet::new(),
@@ -114,6 +117,8 @@ impl Scope {
             item: None,
             settings: BTreeMap::new(),
             surface: None,
+            limit,
+            left: limit,
         }
     }
 
@@ -297,7 +302,7 @@ impl Scope {
         }
         settings.insert(symbol.clone(), value.clone());
         let Some(item) = &self.item else { return Err(Fault::silent(span)) };
-        super::item::with_settings(item, settings).map_err(|fault| {
+        super::item::with_settings(item, settings, self.limit).map_err(|fault| {
             let message = format!("where {symbol} = {value}: {}", fault.diagnostic.message);
             let told = Fault::new(span, message);
             if fault.undecidable { told.undecidable() } else { told }

@@ -116,7 +116,9 @@ impl Cell for i128 {
 
 /// An integer of `N` words in two's complement, the lowest one first.
 ///
-/// Products are taken modulo 2^(64·N), by the schoolbook method, so signs need no attention.
+/// Products are taken modulo 2^(64·N), by the schoolbook method (Knuth, vol. 2, 4.3.1, algorithm M), so signs need no attention:
+/// some N²/2 products of words. Faster methods need more words to gain anything, and an [`Int`] would be allocated for each
+/// product.
 #[derive(Clone)]
 pub(crate) struct Wide<const N: usize>([u64; N]);
 

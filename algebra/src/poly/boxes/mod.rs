@@ -3,7 +3,8 @@
 //! The terms of a sorted list with the same exponents of the first variables are a *group*; the products of two groups fall into
 //! one *box* of exponents of the other variables. All products that fall into one box are summed in an array, one box after
 //! the other, the largest monomials first. Cutting off the first variables keeps the array in the cache whatever the degrees
-//! are, and marks for every eighth cell make empty parts of a box cheap.
+//! are, and marks for every eighth cell make empty parts of a box cheap. (Compare the blocks of van der Hoeven and Lecerf, *On the
+//! complexity of multivariate blockwise polynomial multiplication*, 2012, which are multiplied as a whole.)
 
 pub(crate) mod cell;
 pub(crate) mod sums;
@@ -135,4 +136,47 @@ pub(crate) fn group_counts(terms: &[Term]) -> [u32; 129] {
         counts[position] += counts[position + 1];
     }
     counts
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::sums::Sums;
+    use super::*;
+    use crate::poly::ring::Variable;
+    use crate::poly::terms::{collect, maximum};
+    use crate::{Int, Poly, integer};
+
+    proptest! {
+        #[test]
+        fn places_and_groups_agree_with_the_words(
+            list in prop::collection::vec(([0_u32..5, 0..2, 0..30, 0..4], 0_u32..2), 1..40)
+        ) {
+            let field = Poly::sqrt_of(&integer(2)).ring().field().clone();
+            let ring = Ring::new((0..4).map(|rank| Variable::new(rank, "x")), field);
+            let term = |(exponents, generator): ([u32; 4], u32)| Term {
+                monomial: ring.monomial(&exponents, &[generator]),
+                coefficient: Int::ONE,
+            };
+            let terms = collect(list.into_iter().map(term).collect());
+            for boxes in Boxes::candidates(&ring, maximum(&ring, &terms)) {
+                let sums = Sums::<i64>::new(&boxes, true);
+                let places = boxes.places(&terms);
+                for (term, &place) in terms.iter().zip(&places) {
+                    prop_assert!(place < boxes.size());
+                    prop_assert_eq!(boxes.prefix(term.monomial.0) + sums.word(place), term.monomial.0);
+                }
+                let groups = boxes.groups(&terms);
+                prop_assert_eq!(boxes.group_count(&group_counts(&terms)), groups.len() - 1);
+                prop_assert!(groups.len() - 1 <= boxes.room());
+                for bounds in groups.windows(2) {
+                    let prefix = boxes.prefix(terms[bounds[0]].monomial.0);
+                    let same = |term: &Term| boxes.prefix(term.monomial.0) == prefix;
+                    prop_assert!(terms[bounds[0]..bounds[1]].iter().all(same));
+                    prop_assert!(terms.get(bounds[1]).is_none_or(|next| !same(next)));
+                }
+            }
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Products whose sums are kept in arrays that packed exponents index.
 
+use crate::budget;
 use crate::poly::Term;
 use crate::poly::boxes::cell::Cell;
 use crate::poly::boxes::sums::{CELLS_PER_MARK, Sums};
@@ -12,6 +13,8 @@ const MOST_BYTES: usize = 1 << 20;
 /// How a product is cut into [`Boxes`].
 ///
 /// Where there is one box, this is the classical dense product, or Kronecker's substitution without the univariate product.
+/// Complexity: one product of coefficients and one addition in the cache for each pair of terms, and one step for each cell or
+/// mark. Fast univariate products would need far denser operands than those of geometry.
 #[derive(Debug)]
 pub(super) struct Plan {
     boxes: Boxes,
@@ -70,6 +73,9 @@ impl Plan {
         let prefix =
             |operand: usize, group: usize| boxes.prefix(operands[operand][groups[operand][group]].monomial.0);
         let counts = [0, 1].map(|operand| groups[operand].len() - 1);
+        let count = counts[0] as u64 * counts[1] as u64;
+        budget::spend(count);
+        budget::reserve(count * size_of::<(u128, usize, usize)>() as u64);
         let mut pairs = Vec::with_capacity(counts[0] * counts[1]);
         for i in 0..counts[0] {
             let own = prefix(0, i);
@@ -87,6 +93,8 @@ impl Plan {
             }
             if pairs.get(number + 1).is_none_or(|next| next.0 != prefix) {
                 sums.drain(prefix, &mut terms);
+                // The list grows by doubling.
+                budget::reserve(2 * (terms.len() * size_of::<Term>()) as u64);
             }
         }
         terms

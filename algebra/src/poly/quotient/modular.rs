@@ -10,7 +10,8 @@ use crate::poly::images::Frame;
 
 /// The quotient of polynomials, if `divisor`, which is not zero, divides.
 ///
-/// The images modulo primes, under all homomorphisms of the number field, are divided and lifted. A remainder modulo one
+/// The images modulo primes, under all homomorphisms of the number field, are divided and lifted, as gcds are (von zur Gathen and
+/// Gerhard, *Modern Computer Algebra*, chapter 6): coefficients of the field stay one word long on the way. A remainder modulo one
 /// prime that keeps the leading coefficient of the divisor is a proof that it does not divide. Over the rationals the
 /// quotient is certified by its size: the product with the divisor is congruent to the dividend modulo a number
 /// larger than the difference can be. Over a number field it is multiplied out. Complexity: for each prime and

@@ -41,7 +41,8 @@ pub(crate) struct Derived<'a> {
 /// # Errors
 /// Bad input; a surface that cannot be derived.
 pub(crate) fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
-    let document = input::load(&arguments.input.input)?;
+    let limit = arguments.budget.limit;
+    let document = input::load(&arguments.input.input, limit)?;
     let sweeps = document.sweeps(arguments.input.sweep.as_deref())?;
     let progress = Progress::new();
     let mut all = Vec::new();
@@ -50,7 +51,7 @@ pub(crate) fn run(arguments: &DeriveArguments) -> Result<ExitCode, Failure> {
         all.push(derived(&document, model)?);
     }
     // Factors for people are found by gcds.
-    let output = budget::with_budget(budget::DEFAULT_LIMIT, || match arguments.format {
+    let output = budget::with_budget(limit, || match arguments.format {
         DeriveFormat::Text => all.iter().map(text::output).collect::<Vec<_>>().join("\n"),
         DeriveFormat::Json => json::output(&all),
         DeriveFormat::Latex => latex::output(&all),
@@ -67,7 +68,7 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
     let (Some(surface), Some(item)) = (&model.surface, document.item(model)) else {
         return Err(failed(format!("`{}` has no surface", model.name)));
     };
-    let derivation = match budget::with_budget(budget::DEFAULT_LIMIT, || surface.derive()) {
+    let derivation = match budget::with_budget(model.limit, || surface.derive()) {
         Ok(Ok(derivation)) => derivation,
         Ok(Err(error)) => return Err(failed(error.to_string())),
         Err(exhausted) => return Err(failed(exhausted.to_string())),

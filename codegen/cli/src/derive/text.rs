@@ -192,7 +192,10 @@ fn singular(page: &mut Page, derivation: &Derivation) {
     match &derivation.poles {
         Some(poles) if poles.is_empty() => {}
         Some(poles) => page.item("poles where W = 0: ", &cut(&poles.to_string(), LONGEST)),
-        None => page.item("", "poles undetermined: they depend on the symbols"),
+        None => page.item(
+            "",
+            "poles undetermined: they depend on symbols, or need more than their share of the budget",
+        ),
     }
     if derivation.singular_zeros.is_empty() {
         let poles = derivation.poles.as_ref().is_none_or(|poles| !poles.is_empty());

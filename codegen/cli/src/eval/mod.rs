@@ -36,15 +36,16 @@ struct Output<'a> {
 /// # Errors
 /// Bad input; symbols without a value; a pole or a singular point.
 pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
-    let document = input::load(&arguments.input.input)?;
+    let limit = arguments.budget.limit;
+    let document = input::load(&arguments.input.input, limit)?;
     let model = document.sweep(arguments.input.sweep.as_deref())?;
     let surface =
         model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
     let parameters = [
-        number("--u", "the first parameter", &arguments.u)?,
-        number("--v", "the second parameter", &arguments.v)?,
+        number("--u", "the first parameter", &arguments.u, limit)?,
+        number("--v", "the second parameter", &arguments.v, limit)?,
     ];
-    let settings = settings(&arguments.set)?;
+    let settings = settings(&arguments.set, limit)?;
     let symbols = surface.symbols();
     let distance = quantity::distance(surface, arguments.what);
     let distance = check(model, &symbols, distance, &settings)?;
@@ -53,7 +54,7 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let values = values.collect();
     note_outside(surface, &parameters);
 
-    let computed = budget::with_budget(budget::DEFAULT_LIMIT, || {
+    let computed = budget::with_budget(limit, || {
         // The formula is evaluated anew: a parametric speed |s'|, for one, depends on the values.
         let set = model.with_values(&values).map_err(|mistake| {
             let message = format!("with these values of the symbols: {}", mistake.message);
@@ -62,7 +63,8 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
         })?;
         let surface = set.surface.as_deref().unwrap_or(surface);
         let place = Place::new(surface, &parameters);
-        let numbers = quantity::evaluate(&place, arguments.what, distance.as_ref())?;
+        let task = format!("the {} at these parameters", arguments.what.name());
+        let numbers = budget::doing(task, || quantity::evaluate(&place, arguments.what, distance.as_ref()))?;
         let decimal: Vec<String> =
             numbers.iter().map(|number| significant(number, arguments.digits)).collect();
         Ok::<_, Failure>((numbers, decimal))
@@ -73,7 +75,7 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let (numbers, decimal) = computed.map_err(exhausted)??;
     let [u, v] = parameters.each_ref().map(radical::written_one);
     // Writing a number over the smallest field may cost more than the number itself; its decimals are there anyway.
-    let exact = budget::with_budget(budget::DEFAULT_LIMIT, || radical::written(&numbers)).ok();
+    let exact = budget::with_budget(limit, || radical::written(&numbers)).ok();
     let result = Output { schema: 1, sweep: &model.name, u, v, what: arguments.what.name(), exact, decimal };
     console::print(&match arguments.format {
         Format::Json => layout::json(&result),
@@ -83,7 +85,7 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
 }
 
 /// The values of `--set`.
-fn settings(set: &[String]) -> Result<Vec<(String, Poly)>, Failure> {
+fn settings(set: &[String], limit: u64) -> Result<Vec<(String, Poly)>, Failure> {
     let mut settings: Vec<(String, Poly)> = Vec::new();
     for setting in set {
         let Some((name, value)) = setting.split_once('=') else {
@@ -94,7 +96,7 @@ fn settings(set: &[String]) -> Result<Vec<(String, Poly)>, Failure> {
         if settings.iter().any(|(known, _)| known == name) {
             return Err(Failure::new(format!("--set gives `{name}` two values")));
         }
-        let value = number(&format!("--set {name}"), &format!("the value of {name}"), value)?;
+        let value = number(&format!("--set {name}"), &format!("the value of {name}"), value, limit)?;
         settings.push((name.to_owned(), value));
     }
     Ok(settings)

@@ -16,6 +16,9 @@ use crate::console::{self, Progress};
 use crate::failure::Failure;
 use crate::input::{self, Document};
 
+/// The claims of one file together may take as many times the budget of a single one.
+const FULL_CLAIMS: u64 = 4;
+
 /// The exit status if a verdict is other than expected.
 const UNEXPECTED: u8 = 1;
 
@@ -46,9 +49,13 @@ struct Degrees {
 /// Bad input, mistakes in claims included.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
     let start = Instant::now();
-    let documents =
-        if arguments.inputs.is_empty() { input::catalogue()? } else { input::load_all(&arguments.inputs)? };
-    let entries = check_all(&documents)?;
+    let limit = arguments.budget.limit;
+    let documents = if arguments.inputs.is_empty() {
+        input::catalogue(limit)?
+    } else {
+        input::load_all(&arguments.inputs, limit)?
+    };
+    let entries = check_all(&documents, limit)?;
     let output = match arguments.format {
         Format::Text => text::output(&entries, start.elapsed()),
         Format::Json => json::output(&entries),
@@ -57,14 +64,15 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
     Ok(status(&entries).into())
 }
 
-fn check_all(documents: &[Document]) -> Result<Vec<Entry>, Failure> {
+fn check_all(documents: &[Document], limit: u64) -> Result<Vec<Entry>, Failure> {
     let progress = Progress::new();
     let (mut entries, mut failures) = (Vec::new(), Vec::new());
     for document in documents {
         let mut diagnostics = Diagnostics::new();
+        let mut left = limit.saturating_mul(FULL_CLAIMS);
         for model in document.models() {
             progress.show(&format!("checking {}", model.name));
-            entries.push(check(model, &mut diagnostics));
+            entries.push(check(model, &mut left, &mut diagnostics));
         }
         if !diagnostics.is_empty() {
             failures.push(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
@@ -73,16 +81,17 @@ fn check_all(documents: &[Document]) -> Result<Vec<Entry>, Failure> {
     if failures.is_empty() { Ok(entries) } else { Err(Failure::Several(failures)) }
 }
 
-fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
+/// The verdicts on the claims of a model, whose file has `left` units of work for all of its claims.
+fn check(model: &Model, left: &mut u64, diagnostics: &mut Diagnostics) -> Entry {
     let degrees = model.surface.as_ref().and_then(|surface| {
-        let homogeneous = match budget::with_budget(budget::DEFAULT_LIMIT, || surface.homogeneous().clone()) {
+        let homogeneous = match budget::with_budget(model.limit, || surface.homogeneous().clone()) {
             Ok(homogeneous) => homogeneous,
             Err(exhausted) => {
                 diagnostics.push(Diagnostic::new(model.place, exhausted.to_string()));
                 return None;
             }
         };
-        match budget::with_budget(budget::DEFAULT_LIMIT, || surface.is_surface()) {
+        match budget::with_budget(model.limit, || surface.is_surface()) {
             Ok(true) => {}
             Ok(false) => diagnostics.push(Diagnostic::new(model.place, OffsetError::NoSurface.to_string())),
             Err(exhausted) => diagnostics.push(Diagnostic::new(model.place, exhausted.to_string())),
@@ -92,10 +101,18 @@ fn check(model: &Model, diagnostics: &mut Diagnostics) -> Entry {
     });
     let mut judgements = Vec::new();
     for claim in &model.claims {
-        match model.check(claim, budget::DEFAULT_LIMIT) {
-            Ok(judgement) => judgements.push(judgement),
+        let (judgement, spent) = budget::measured(|| model.check(claim, model.limit.min(*left)));
+        match judgement {
+            Ok(mut judgement) => {
+                if judgement.verdict == Verdict::Undecided && *left < model.limit {
+                    judgement.derived +=
+                        "; the claims of this file before it took much of what they have together";
+                }
+                judgements.push(judgement);
+            }
             Err(diagnostic) => diagnostics.push(*diagnostic),
         }
+        *left = left.saturating_sub(spent);
     }
     Entry { kind: model.kind, name: model.name.clone(), source: model.source.clone(), degrees, judgements }
 }

@@ -1,8 +1,9 @@
 //! Rational functions that keep their denominators as products of known factors.
 
+mod display;
+mod operators;
+
 use std::collections::BTreeMap;
-use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::poly::{Poly, Variable};
 use crate::{Rational, budget, integer};
@@ -10,7 +11,8 @@ use crate::{Rational, budget, integer};
 /// A rational function: a polynomial over a product of powers of known factors.
 ///
 /// Factors are kept because geometry supplies them: the weight of a profile, the parametric speed of a sweep curve.
-/// Sums use the least common multiple of the *known* factors, and only known factors are tried when a fraction is
+/// (Compare W. S. Brown, *On computing with factored rational expressions*, 1974.) Sums use the least common multiple of the
+/// *known* factors, and only known factors are tried when a fraction is
 /// [reduced](Fraction::reduced). Sums and products do not cancel by themselves, so that a formula keeps the denominators
 /// it was written with; equality is that of rational functions all the same.
 ///
@@ -170,8 +172,11 @@ impl Fraction {
         Fraction { numerator, factors }
     }
 
-    /// The product of [reduced](Fraction::reduced) fractions, reduced. The numerator of each fraction is divided by factors of the other one before the
-    /// numerators are multiplied.
+    /// The product of [reduced](Fraction::reduced) fractions, reduced.
+    ///
+    /// The numerator of each fraction is divided by factors of the other one before the numerators are multiplied, as for numbers
+    /// (Henrici, *A subroutine for computations with rational numbers*, 1956): trial divisions of short operands instead of
+    /// those of their product.
     #[must_use]
     pub fn reduced_product(&self, other: &Fraction) -> Fraction {
         if self.is_zero() || other.is_zero() {
@@ -191,6 +196,10 @@ impl Fraction {
         let mut numerator = reduced.numerator;
         let mut factors: Vec<(Poly, u32)> = Vec::new();
         for (factor, exponent) in reduced.factors {
+            if numerator.gcd(&factor).is_constant() {
+                insert(&mut factors, factor, exponent);
+                continue;
+            }
             let mut rest = factor.pow(exponent);
             loop {
                 let common = numerator.gcd(&rest);
@@ -201,14 +210,10 @@ impl Fraction {
                 let (Some(n), Some(r)) = divided else { break };
                 (numerator, rest) = (n, r);
             }
-            if rest == factor.pow(exponent) {
-                insert(&mut factors, factor, exponent);
-            } else {
-                let decomposition = rest.squarefree();
-                numerator *= decomposition.unit.inverse();
-                for (part, multiplicity) in decomposition.factors {
-                    insert(&mut factors, part, multiplicity);
-                }
+            let decomposition = rest.squarefree();
+            numerator *= decomposition.unit.inverse();
+            for (part, multiplicity) in decomposition.factors {
+                insert(&mut factors, part, multiplicity);
             }
         }
         Fraction { numerator, factors }
@@ -385,130 +390,4 @@ fn insert(factors: &mut Vec<(Poly, u32)>, factor: Poly, exponent: u32) {
     };
     let place = factors.partition_point(|(other, _)| order(other, &factor).is_lt());
     factors.insert(place, (factor, exponent));
-}
-
-impl From<Poly> for Fraction {
-    fn from(numerator: Poly) -> Fraction {
-        Fraction { numerator, factors: Vec::new() }
-    }
-}
-
-impl From<Rational> for Fraction {
-    fn from(value: Rational) -> Fraction {
-        Poly::constant(value).into()
-    }
-}
-
-fn combine(a: &Fraction, b: &Fraction, sign: i64) -> Fraction {
-    if b.is_zero() {
-        return a.clone();
-    }
-    if a.is_zero() {
-        return b.scale(&integer(sign));
-    }
-    let common = Fraction::common_denominator([a, b]);
-    let numerator = a.numerator_over(&common) + b.numerator_over(&common).scale(&integer(sign));
-    if numerator.is_zero() {
-        return Fraction::zero();
-    }
-    Fraction { numerator, factors: common }
-}
-
-impl Add for &Fraction {
-    type Output = Fraction;
-
-    fn add(self, other: &Fraction) -> Fraction {
-        combine(self, other, 1)
-    }
-}
-
-impl Sub for &Fraction {
-    type Output = Fraction;
-
-    fn sub(self, other: &Fraction) -> Fraction {
-        combine(self, other, -1)
-    }
-}
-
-impl Mul for &Fraction {
-    type Output = Fraction;
-
-    fn mul(self, other: &Fraction) -> Fraction {
-        let mut factors = self.factors.clone();
-        for (factor, exponent) in &other.factors {
-            insert(&mut factors, factor.clone(), *exponent);
-        }
-        let numerator = &self.numerator * &other.numerator;
-        if numerator.is_zero() {
-            return Fraction::zero();
-        }
-        Fraction { numerator, factors }
-    }
-}
-
-impl Mul<&Rational> for &Fraction {
-    type Output = Fraction;
-
-    fn mul(self, factor: &Rational) -> Fraction {
-        self.scale(factor)
-    }
-}
-
-impl std::ops::Div for &Fraction {
-    type Output = Fraction;
-
-    /// # Panics
-    /// If `divisor` is zero; see [`Fraction::checked_div`].
-    fn div(self, divisor: &Fraction) -> Fraction {
-        match self.checked_div(divisor) {
-            Some(quotient) => quotient,
-            None => panic!("division of a rational function by zero"),
-        }
-    }
-}
-
-impl Neg for &Fraction {
-    type Output = Fraction;
-
-    fn neg(self) -> Fraction {
-        self.scale(&integer(-1))
-    }
-}
-
-impl PartialEq for Fraction {
-    fn eq(&self, other: &Fraction) -> bool {
-        (self - other).is_zero()
-    }
-}
-
-impl Eq for Fraction {}
-
-impl fmt::Display for Fraction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.factors.is_empty() {
-            return self.numerator.fmt(f);
-        }
-        if self.numerator.terms().len() > 1 {
-            write!(f, "({})/", self.numerator)?;
-        } else {
-            write!(f, "{}/", self.numerator)?;
-        }
-        let power = |exponent: u32| if exponent > 1 { format!("^{exponent}") } else { String::new() };
-        if let [(factor, exponent)] = self.factors.as_slice() {
-            return if factor.terms().len() > 1 {
-                write!(f, "({factor}){}", power(*exponent))
-            } else {
-                write!(f, "{factor}{}", power(*exponent))
-            };
-        }
-        let parts: Vec<String> =
-            self.factors.iter().map(|(factor, exponent)| format!("({factor}){}", power(*exponent))).collect();
-        write!(f, "({})", parts.join("*"))
-    }
-}
-
-impl fmt::Debug for Fraction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
 }
