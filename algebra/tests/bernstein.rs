@@ -1,46 +1,17 @@
 //! Bernstein forms against their definition.
 
+#[path = "support/config.rs"]
+mod config;
+#[path = "support/intervals.rs"]
+mod intervals;
+
 use std::cmp::Ordering;
 
+use config::config;
 use hodograph_algebra::{Bernstein, Int, Interval, Poly, Rational, Variable, integer, ratio};
+use intervals::{intervals, numbers, u, v};
 use num_integer::binomial;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(0x50_48),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
-fn u() -> Variable {
-    Variable::new(0, "u")
-}
-
-fn v() -> Variable {
-    Variable::new(1, "v")
-}
-
-fn root2() -> Poly {
-    Poly::sqrt_of(&integer(2))
-}
-
-/// Rational numbers and numbers of Q(√2).
-fn numbers() -> impl Strategy<Value = Poly> {
-    (-9_i64..10, 1_i64..5, -3_i64..4, any::<bool>()).prop_map(|(n, d, r, irrational)| {
-        let irrational = if irrational { root2().scale(&integer(r)) } else { Poly::zero() };
-        Poly::constant(ratio(n, d)) + irrational
-    })
-}
-
-fn intervals() -> impl Strategy<Value = Interval> {
-    (numbers(), numbers()).prop_filter_map("an interval has ends in order", |(a, b)| {
-        Interval::new(a.clone(), b.clone()).or_else(|| Interval::new(b, a))
-    })
-}
 
 /// Polynomials in u, v of degree at most (3, 2), some with a symbol in their coefficients.
 fn polynomials(symbols: bool) -> impl Strategy<Value = Poly> {

@@ -69,6 +69,19 @@ proptest! {
     }
 
     #[test]
+    fn reduced_products_are_reduced(a in fraction(), b in fraction(), common in nonzero()) {
+        // Factors that cancel crosswise, and within what is left.
+        let (x, y) = (&a * &Fraction::from(common.clone()), &b * &Fraction::new(Poly::one(), [(common, 2)]));
+        let (x, y) = (x.reduced(), y.reduced());
+        let product = x.reduced_product(&y);
+        prop_assert!(product.is_valid());
+        prop_assert_eq!(&product, &(&x * &y));
+        // No factor is left to cancel, though factors that are not coprime can be cancelled in several ways.
+        let again = product.reduced();
+        prop_assert_eq!((product.numerator(), product.factors()), (again.numerator(), again.factors()));
+    }
+
+    #[test]
     fn derivatives_obey_the_quotient_rule(a in fraction()) {
         for variable in variables() {
             let (n, d) = (a.numerator(), a.denominator());

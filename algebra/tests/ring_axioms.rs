@@ -1,11 +1,14 @@
 //! The axioms of rings and fields, and every operation of polynomials and numbers against a naive twin.
 
+#[path = "support/config.rs"]
+mod config;
 #[path = "naive/polynomial.rs"]
 mod naive;
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use config::config;
 use hodograph_algebra::{
     Int, Poly, Rational, minimize_field, parse_decimal, ratio, rational_gcd, rational_sqrt,
 };
@@ -15,16 +18,6 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Num, One, Pow, Signed, Zero};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(0x50_48),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
 
 /// Integers around the edges of a machine word, and some of several words.
 fn integers() -> impl Strategy<Value = BigInt> {
