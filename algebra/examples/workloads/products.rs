@@ -21,7 +21,7 @@ pub(crate) fn fateman() -> Box<dyn FnMut() -> Vec<Poly>> {
 }
 
 /// The product of `(1 + x + y + 2z² + 3t³ + 5u⁵)¹⁰` and the same with the variables in reverse (Monagan and Pearce, *Sparse
-/// polynomial multiplication and division in Maple 14*, 2011).
+/// polynomial multiplication and division in Maple 14*, 2010).
 pub(crate) fn sparse() -> Box<dyn FnMut() -> Vec<Poly>> {
     let variables = variables::<5>(FIVE);
     let power = |[x, y, z, t, u]: [&Poly; 5]| {
