@@ -39,6 +39,7 @@
 //! assert_eq!(derivation.field.degree(), 4);
 //! assert!(derivation.offset.is_rational() && derivation.singular.is_regular());
 //! ```
+#![doc = include_str!("speed.md")]
 #![doc = include_str!("algorithms.md")]
 #![doc = include_str!("growth.md")]
 #![deny(clippy::float_arithmetic)]

@@ -226,11 +226,12 @@ impl Poly {
     /// The degree in `variable`; `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self, variable: &Variable) -> Option<u32> {
-        if self.is_zero() {
-            return None;
-        }
-        let degree =
-            |position| self.ring.exponent(Monomial(terms::maximum(&self.ring, &self.terms)), position);
+        let first = self.terms.first()?;
+        let degree = |position| match position {
+            // The first variable decides the order of terms.
+            0 => self.ring.exponent(first.monomial, 0),
+            _ => self.terms.iter().map(|term| self.ring.exponent(term.monomial, position)).max().unwrap_or(0),
+        };
         Some(self.ring.position(variable).map_or(0, degree))
     }
 
