@@ -838,6 +838,13 @@ fn expressions_beyond_limits() {
 }
 
 #[test]
+fn arguments_are_evaluated_once() {
+    // Twice at each level would be 2³¹ times.
+    let nested = (0..31).fold("1".to_owned(), |number, _| format!("norm2(({number}, 0))"));
+    equal("", &[(&nested, "1")]);
+}
+
+#[test]
 fn an_unknown_function_has_no_degree_and_no_value() {
     let with =
         |claim: &str| format!("lemma t {{ function x(u); let a(u, v) = x*v;\n claim \"id\": {claim}; }}");

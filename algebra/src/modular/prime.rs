@@ -51,6 +51,12 @@ pub(crate) fn is_prime(n: u64) -> bool {
     })
 }
 
+/// The price of trying a prime of the sequence, in units of work: those beyond the table have to be found, with a square root
+/// modulo each.
+pub(crate) fn price(prime: u64) -> u64 {
+    if prime >= PRIME_LIMIT - FIRST_GAPS[FIRST_GAPS.len() - 1] { 100 } else { 600 }
+}
+
 /// All odd primes below 2⁶² in descending order: the moduli of every modular algorithm, always tried in this order.
 ///
 /// The first of them are tabulated, the others are searched on demand (some twenty candidates for each) and remembered.

@@ -9,6 +9,7 @@ use super::{Poly, Term};
 use crate::modular::field::{PrimeField, Residue};
 use crate::modular::lift::{Modulo, Rationals};
 use crate::modular::multivariate::{Layout, Multivariate};
+use crate::modular::prime::price;
 use crate::modular::splitting::{Radicand, Splitting};
 use crate::{Int, Rational, budget};
 
@@ -75,7 +76,7 @@ impl Frame {
     /// Leaves the computation if no prime is left.
     pub(crate) fn splitting(&self, fields: &mut impl Iterator<Item = PrimeField>) -> Arc<Splitting> {
         let found = fields.find_map(|field| {
-            budget::spend(100);
+            budget::spend(price(field.modulus()));
             self.ring.field().splitting(field, &self.generators, &self.radicands)
         });
         match found {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use hodograph_algebra::{Fraction, Poly, Variable, Vector};
 
+use super::expression::check_rational;
 use super::fault::Fault;
 use super::functions::function;
 use super::scope::Scope;
@@ -204,7 +205,12 @@ impl<'a> Call<'a> {
     }
 
     pub(super) fn vector(&self, expr: &Expr) -> Result<Vector, Fault> {
-        let value = self.scope.rational_value(expr)?;
+        self.vector_of(expr, &self.scope.evaluate(expr)?)
+    }
+
+    /// The vector that the value of an argument is, which must be one.
+    pub(super) fn vector_of(&self, expr: &Expr, value: &Value) -> Result<Vector, Fault> {
+        check_rational(expr, value)?;
         value.vector().ok_or_else(|| {
             let message = format!("`{}` needs a vector here, but this is {}", self.name, value.kind());
             Fault::new(expr.span(), message)

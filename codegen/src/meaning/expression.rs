@@ -63,11 +63,7 @@ impl Scope {
     /// The value of an expression that must be rational: not the offset of a surface that has none.
     pub(super) fn rational_value(&self, expr: &Expr) -> Result<Value, Fault> {
         let value = self.evaluate(expr)?;
-        if let Value::Offset(offset) = value.bare()
-            && let Err(error) = offset.as_ref()
-        {
-            return Err(Fault::offset(expr.span(), error));
-        }
+        check_rational(expr, &value)?;
         Ok(value)
     }
 
@@ -209,6 +205,17 @@ fn number(text: &str, span: Span) -> Result<Value, Fault> {
         Fault::new(span, message)
             .help("numbers of up to 4096 digits, and decimals with as many places, are exact here")
     })
+}
+
+/// The mistake in a value that must be rational, if it is the offset of a surface that has none.
+pub(super) fn check_rational(expr: &Expr, value: &Value) -> Result<(), Fault> {
+    match value.bare() {
+        Value::Offset(offset) => match offset.as_ref() {
+            Err(error) => Err(Fault::offset(expr.span(), error)),
+            Ok(_) => Ok(()),
+        },
+        _ => Ok(()),
+    }
 }
 
 /// The results for all items, or the mistakes in all of them.

@@ -32,7 +32,7 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
             let value = scope.evaluate(a)?;
             match value.complex() {
                 Some(complex) => Ok(Value::Scalar(complex.norm2())),
-                None => Ok(Value::Scalar(call.vector(a)?.norm2())),
+                None => Ok(Value::Scalar(call.vector_of(a, &value)?.norm2())),
             }
         }
         "conj" | "re" | "im" => {
@@ -147,7 +147,7 @@ fn derivative(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         Value::Scalar(f) => Value::Scalar(scalar(f)),
         Value::Complex(f) => Value::Complex(ComplexFraction { re: scalar(&f.re), im: scalar(&f.im) }),
         _ => {
-            let derived = Value::Vector(call.vector(value)?.map(scalar));
+            let derived = Value::Vector(call.vector_of(value, &evaluated)?.map(scalar));
             // The derivative of a curve is a function of the curve's parameter.
             match evaluated.bare() {
                 Value::Curve(curve) if *curve.parameter() == by => as_function(curve, derived),
@@ -362,7 +362,7 @@ fn homogeneous(scope: &Scope, call: &Call<'_>, expr: &Expr) -> Result<Homogeneou
         }
         _ => {}
     }
-    Ok(Homogeneous::of(&call.vector(expr)?, &surface_parameters(scope)))
+    Ok(Homogeneous::of(&call.vector_of(expr, &value)?, &surface_parameters(scope)))
 }
 
 /// The two parameters of the item, with a stand-in for one that is not there.

@@ -247,7 +247,8 @@
 //!   `w(v) = Σ w_j·C(k, j)·vʲ(1 − v)ᵏ⁻ʲ` has these complex Bernstein coefficients (9). Its degree is 2k + 1. Errors: no
 //!   coefficient that differs from zero.
 //! - `ph(n)`: the same with an odd degree n ≤ 201 ([`MAX_PH_DEGREE`](hodograph_algebra::MAX_PH_DEGREE)) and symbols for
-//!   coefficients, `w_j = aj + I*bj`: every PH curve of this degree with a primitive hodograph (7).
+//!   coefficients, `w_j = aj + I*bj`: every PH curve of this degree with a primitive hodograph (7). Sweeps have room for the symbols
+//!   of n ≤ 21.
 //! - `ph(…, start = (x, y))`: with `s(0) = (x, y)`. `ph(…, factor = h)`: with the hodograph `h·w²`, for a nonzero
 //!   polynomial `h`.
 //! - `ph_hermite(a, da, b, db)`: the planar PH quintic with `s(0) = a`, `s'(0) = da`, `s(1) = b`, `s'(1) = db`, four
@@ -523,7 +524,7 @@
 //! | numbers | 4096 digits; decimals up to 4096 places up or down ([`MAX_DECIMAL_EXPONENT`](hodograph_algebra::MAX_DECIMAL_EXPONENT)) |
 //! | independent square roots in a number | 16 |
 //! | order of `diff` | 100; 6 for an unknown function |
-//! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial can hold: some 16 beside two parameters |
+//! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial has room for: 22 in a sweep, those of `ph(21)` |
 //! | control points of `bezier` | 101 |
 //! | work for all clauses of a file, but for the claims | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units, or what [`models_within`] is given |
 //! | work for one claim | what [`Model::check`] is given |
