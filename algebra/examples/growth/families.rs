@@ -76,8 +76,8 @@ pub(crate) const FAMILIES: [Family; 11] = [
         Numbers::Symbols,
         "The coordinates have a term for nearly every product of two coefficients of w, by another two, and a power of v: some n⁴ of\n\
             them, each with a coefficient of a few digits, and a step takes a few microseconds for each term that it reads. The normal has\n\
-            far fewer terms than the coordinates from whose derivatives it comes. Steps are uneven: from n = 13 on the terms of the\n\
-            coordinates, of 32 bytes each, take more than a second-level cache of 2 MiB, and at n = 21 coefficients take two words. Beyond\n\
+            far fewer terms than the coordinates from whose derivatives it comes. Steps are uneven: at n = 13 the terms of the\n\
+            coordinates, of 32 bytes each, fill a second-level cache of 2 MiB, and at n = 21 coefficients take two words. Beyond\n\
             n = 21 one polynomial has no room for the exponents of so many symbols.",
     ),
     family(
