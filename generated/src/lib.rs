@@ -10,7 +10,7 @@
 //! # Build time
 //!
 //! A sweep is derived each time its crate is compiled, by a macro that Cargo does not optimize, in `--release` neither. Most take
-//! about a tenth of a second; the whole catalogue takes 1.6 s, and 0.65 s with optimized algebra. Where sweeps of your own take
+//! about a tenth of a second; the whole catalogue takes 1.8 s, and 0.7 s with optimized algebra. Where sweeps of your own take
 //! seconds, this in the `Cargo.toml` of your workspace makes that saving, and the first build some 25 s of CPU longer:
 //!
 //! ```toml
