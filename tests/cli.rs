@@ -395,7 +395,12 @@ fn emit_writes_and_checks() -> Result<(), Box<dyn std::error::Error>> {
 
     run(&[&emit[..], &["-o", &directory.path().display().to_string()]].concat()).refused("is a directory");
     run(&[&emit[..], &["--check"]].concat()).refused("--output");
-    run(&["emit", &formula, "--target", "c"]).refused("not available yet");
+    let header = run(&["emit", &formula, "--target", "c"]);
+    assert!(
+        header.status == 0 && header.out.contains("static inline bool cylinder_point(double u, double v"),
+        "{}",
+        header.err
+    );
     Ok(())
 }
 

@@ -12,11 +12,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::{self, Artifact, Setting};
-use crate::language::ast::{ExprKind, File, ItemKind, Verdict};
+use crate::language::ast::{self, ExprKind, File, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 use crate::meaning::{Model, models};
+use crate::offset::OffsetPatch;
+use crate::proofs::proofs;
 use crate::round::{self, RoundError};
-use crate::schedule::{self, Derived, Mismatch, ScheduleError};
+use crate::schedule::{self, Derived, Mismatch, Preference, ScheduleError, outputs};
 
 /// The work that the macro spends on the claims of one sweep, in units of [`budget`]; claims on degrees always count as
 /// affordable. What does not fit is left to `hodograph verify` and the tests.
@@ -77,32 +79,51 @@ pub fn exact_program(
     model: &Model,
     derivation: &Essentials,
 ) -> Result<crate::program::Program<Poly>, CompileError> {
-    let parameters = derivation.parameters.each_ref();
-    // The sign of a root that depends on symbols is not known; a family takes the root of |N|² instead.
-    let normal = derivation.normal.as_ref();
-    let length = normal
-        .filter(|_| derivation.symbols.is_empty())
-        .and_then(|normal| normal.length(&derivation.parameters, &derivation.domain));
+    with_derived(model, derivation, |derived| {
+        let preference = match model.preference {
+            ast::Preference::Fast => Preference::Fast,
+            ast::Preference::Accurate => Preference::Accurate,
+        };
+        let mut program =
+            schedule::schedule_preferring(derived, preference).map_err(CompileError::Schedule)?;
+        schedule::check(&program, derived).map_err(CompileError::Mismatch)?;
+        // Both are proved to be the point.
+        program.replace_output(outputs::POINT, outputs::ACCURATE_POINT);
+        Ok(program)
+    })
+}
+
+/// Proves that a program computes a derived surface.
+///
+/// # Errors
+/// The [`Mismatch`].
+pub fn check_program(
+    model: &Model,
+    derivation: &Essentials,
+    program: &crate::program::Program<Poly>,
+) -> Result<(), Mismatch> {
+    with_derived(model, derivation, |derived| schedule::check(program, derived))
+}
+
+/// What a program is scheduled from.
+fn with_derived<T>(model: &Model, derivation: &Essentials, work: impl FnOnce(&Derived<'_>) -> T) -> T {
+    let length = length(derivation);
     let known = known_polynomials(model, &derivation.parameters);
     let domain = derivation
         .domain
         .each_ref()
         .map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
-    let length = length.filter(|length| positive(length, derivation));
     let conditions = conditions(model, derivation);
-    let derived = Derived {
-        parameters,
+    work(&Derived {
+        parameters: derivation.parameters.each_ref(),
         homogeneous: derivation.homogeneous.coordinates(),
-        normal: normal.map(hodograph_algebra::Normal::numerator),
+        normal: derivation.normal.as_ref().map(hodograph_algebra::Normal::numerator),
         normal_root: length.as_ref(),
         singular: derivation.orientation.as_ref(),
         known: &known,
         domain: &domain,
         conditions: &conditions,
-    };
-    let program = schedule::schedule(&derived).map_err(CompileError::Schedule)?;
-    schedule::check(&program, &derived).map_err(CompileError::Mismatch)?;
-    Ok(program)
+    })
 }
 
 /// What the symbols' values must make positive on the domain, so that the curves' parametric speeds are what the formulas
@@ -120,6 +141,15 @@ fn conditions(model: &Model, derivation: &Essentials) -> Vec<Poly> {
         conditions.extend(condition.filter(|poly| !conditions.contains(poly)).cloned());
     }
     conditions
+}
+
+/// The length of the normal's numerators, if it is a polynomial that is certified to be positive on the domain.
+///
+/// The sign of a root that depends on symbols is not known; a family takes the root of |N|² instead.
+fn length(derivation: &Essentials) -> Option<Poly> {
+    let normal = derivation.normal.as_ref().filter(|_| derivation.symbols.is_empty())?;
+    let length = normal.length(&derivation.parameters, &derivation.domain)?;
+    positive(&length, derivation).then_some(length)
 }
 
 /// Whether a polynomial is certified to be positive on the domain.
@@ -157,6 +187,7 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
     let surface = model.surface.as_ref().ok_or(CompileError::NoSurface)?;
     let derivation = surface.essentials().map_err(CompileError::Degenerate)?;
     let exact = exact_program(model, &derivation)?;
+    let exact = exact.fused();
     let program = round::round(&exact).map_err(CompileError::Round)?;
     let nearest = |number: &Poly| round::nearest(number).map_err(CompileError::Round);
     let symbols = symbols(model, &derivation);
@@ -168,6 +199,15 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
             control_net.push([nearest(w)?, nearest(x)?, nearest(y)?, nearest(z)?]);
         }
     }
+    let concrete = symbols.is_empty();
+    let proofs = concrete
+        .then(|| budget::doing("the bounds of rounding errors", || proofs(&derivation, &exact, &program)));
+    let offset = match (&derivation.normal, length(&derivation)) {
+        (Some(normal), Some(length)) => {
+            OffsetPatch::of(&derivation, normal.numerator(), &length).map_err(CompileError::Round)?
+        }
+        _ => None,
+    };
     let [u, v] = &derivation.domain;
     let degree = derivation.homogeneous.degree();
     Ok(Artifact {
@@ -179,6 +219,8 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
         degree: (degree.u.max(0) as u32, degree.v.max(0) as u32),
         domain: [[nearest(u.lower())?, nearest(u.upper())?], [nearest(v.lower())?, nearest(v.upper())?]],
         control_net,
+        proofs,
+        offset,
         symbols,
         program,
     })

@@ -4,11 +4,18 @@
 //! text | tokens --language--> syntax tree --meaning--> Model --compile--> Artifact --emit--> source
 //! ```
 
+pub mod bound;
+mod builder;
 pub mod compile;
 pub mod emit;
 pub mod expansion;
 pub mod language;
 pub mod meaning;
+mod offset;
 pub mod program;
+pub mod proofs;
 pub mod round;
 pub mod schedule;
+
+pub use builder::{BuildError, Builder};
+pub use offset::OffsetPatch;

@@ -39,22 +39,56 @@ pub fn scaled<const A: usize>(a: &[f64; A], factor: f64) -> [f64; A] {
 #[must_use]
 pub fn product<const A: usize, const B: usize, const C: usize>(a: &[f64; A], b: &[f64; B]) -> [f64; C] {
     debug_assert_eq!(A + B, C + 1);
-    let mut product = [0.0; C];
+    let mut result = [0.0; C];
+    multiply(a, b, &mut result);
+    result
+}
+
+/// Adds a·b to `product`, which is zero and of the length of the product.
+fn multiply(a: &[f64], b: &[f64], product: &mut [f64]) {
     let mut of_a = 1.0;
-    for (i, a) in a.iter().enumerate() {
+    for (i, x) in a.iter().enumerate() {
         let mut of_b = 1.0;
-        for (j, b) in b.iter().enumerate() {
-            product[i + j] += of_a * a * (of_b * b);
-            of_b = next_binomial(of_b, B - 1, j);
+        for (j, y) in b.iter().enumerate() {
+            product[i + j] += of_a * x * (of_b * y);
+            of_b = next_binomial(of_b, b.len() - 1, j);
         }
-        of_a = next_binomial(of_a, A - 1, i);
+        of_a = next_binomial(of_a, a.len() - 1, i);
     }
-    let mut of_c = 1.0;
+    let (mut of_c, degree) = (1.0, product.len() - 1);
     for (k, c) in product.iter_mut().enumerate() {
         *c /= of_c;
-        of_c = next_binomial(of_c, C - 1, k);
+        of_c = next_binomial(of_c, degree, k);
     }
-    product
+}
+
+/// Σ c_i·bⁱ for numbers c_0, …, c_n and a polynomial b, by Horner's scheme.
+///
+/// ```
+/// use hodograph::bernstein::horner;
+/// // 1 + 2t² over [0, 1]
+/// let result: [f64; 3] = horner(&[1.0, 0.0, 2.0], &[0.0, 1.0]);
+/// assert_eq!(result, [1.0, 1.0, 3.0]);
+/// ```
+#[must_use]
+pub fn horner<const N: usize, const B: usize, const C: usize>(
+    coefficients: &[f64; N],
+    base: &[f64; B],
+) -> [f64; C] {
+    debug_assert_eq!((N - 1) * (B - 1) + 1, C);
+    let mut sum = [0.0; C];
+    let mut length = 1;
+    for (k, c) in coefficients.iter().rev().enumerate() {
+        if k > 0 {
+            let mut next = [0.0; C];
+            multiply(&sum[..length], base, &mut next[..length + B - 1]);
+            (sum, length) = (next, length + B - 1);
+        }
+        for s in &mut sum[..length] {
+            *s += c;
+        }
+    }
+    sum
 }
 
 /// C(n, k + 1) from C(n, k).

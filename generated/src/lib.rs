@@ -1,8 +1,24 @@
 //! Swept surfaces, exactly derived, with evaluators that are generated at build time.
 //!
 //! Each surface of the catalogue is expanded from its formula by `sweep!`: homogeneous coordinates, derivatives,
-//! normals and offsets are derived by exact algebra and become straight-line `f64` code that depends on nothing.
-//! Generic code takes any of them through the trait [`Surface`].
+//! normals, curvatures and offsets are derived by exact algebra and become straight-line code that depends on nothing.
+//! Generic code takes any of them through the trait [`Surface`], in double and in single precision:
+//!
+//! ```
+//! use hodograph::catalogue::oriented_translation_example_2::OrientedTranslationExample2;
+//! use hodograph::{FirstOrder, Surface, Sweep, Undefined, Variant};
+//!
+//! let surface = OrientedTranslationExample2;
+//! assert_eq!(surface.pinned(Variant::Plain).point(0.0, 0.0), Ok([1.0, 0.0, 0.0]));
+//! let FirstOrder { point, partial_u, partial_v } = surface.first_order(0.25_f32, 0.5)?;
+//! let mut grid = [[0.0; 3]; 6];
+//! surface.grid(&[0.0, 0.5, 1.0], &[0.25, 0.75], &mut grid).unwrap();
+//! assert_eq!(Ok(grid[4]), surface.point(0.5, 0.75));
+//! # Ok::<(), Undefined>(())
+//! ```
+//!
+//! [`Sweep::batch`] evaluates everything on grids, at independent points and row by row; [`Sweep::pinned`] fixes how products
+//! are rounded, which otherwise is what the machine does fastest ([`Variant`]).
 //!
 //! Families have coefficients that are set at run time, and a constructor that checks them. The module [`ph`] finds the
 //! preimages of Pythagorean-hodograph curves for them, [`bernstein::power_coefficients`] the coefficients of Bézier curves.
@@ -23,30 +39,69 @@
 //! # Features
 //!
 //! Without the default feature `std` the library is `no_std`, and its square roots come from `libm` (feature `libm`).
-//! The feature `sources` adds the text of the catalogue's formulas.
+//! The feature `rayon` evaluates grids on several threads, `Batch::parallel_grid`; `sources` adds the text of the catalogue's
+//! formulas.
+//!
+//! With `std` on x86-64, evaluators use fused multiply-add and AVX2 where the machine has both, and AVX-512 where that is faster.
+//! Elsewhere they use what the build assumes of the machine. A build for the machine (`-C target-cpu=native`) makes single
+//! evaluations faster, since they need no choice and are inlined. For machines with AVX-512 it makes batches in cache slower: compilers
+//! then take vectors of 256 bits; `-C target-cpu=x86-64-v3` has the best of both.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 // What `sweep!` expands to names `::hodograph`, in this crate too.
 #[allow(unused_extern_crates)]
 extern crate self as hodograph;
 
+mod batch;
 pub mod bernstein;
+mod bounds;
 pub mod catalogue;
+mod dispatch;
 pub mod family;
 pub mod float;
-pub mod grid;
+#[cfg_attr(
+    all(feature = "std", target_arch = "x86_64", not(target_feature = "avx512f")),
+    path = "detected.rs"
+)]
+#[cfg_attr(
+    not(all(
+        feature = "std",
+        target_arch = "x86_64",
+        not(all(target_feature = "avx2", target_feature = "fma"))
+    )),
+    path = "fixed.rs"
+)]
+mod machine;
+mod output;
+#[cfg(feature = "rayon")]
+mod parallel;
 pub mod ph;
-mod regularity;
+mod real;
 #[cfg(feature = "sources")]
 mod sources;
 mod surface;
+mod task;
+#[cfg(test)]
+mod testing;
+mod tracked;
+mod undefined;
+mod values;
 
+pub use batch::{Batch, BatchError, Rows, Values};
+pub use bounds::{Bound, Bounds};
+pub use dispatch::Variant;
 pub use family::ParameterError;
-pub use grid::GridError;
 pub use hodograph_macros::sweep;
-pub use regularity::Regularity;
+pub use output::{Item, Output, Window};
+pub use real::{Float, Fused, Plain, Real, Rounded, horner};
 #[cfg(feature = "sources")]
 pub use sources::{Source, runtime, sources};
-pub use surface::{Domain, Surface};
+pub use surface::{Domain, Patch, Surface, offset_net};
+pub use task::{
+    First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Stages, Sweep, Task,
+};
+pub use tracked::{NumberBound, error_bounds};
+pub use undefined::Undefined;
+pub use values::{FirstOrder, LocalGeometry, SecondOrder};

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use hodograph::{Regularity, Surface};
+use hodograph::{Surface, Undefined};
 use hodograph_algebra::{Derivation, Rational};
 
 use crate::fixed::Fixed;
-use crate::oracle::{Oracle, error};
+use crate::oracle::Oracle;
 use crate::precision::Quantity;
 use crate::random::SplitMix64;
 
@@ -44,7 +44,7 @@ impl Errors {
         assert_eq!(floats.len(), truth.len());
         self.components.resize(floats.len(), (0.0, 0.0));
         for ((largest, size), (&float, truth)) in self.components.iter_mut().zip(floats.iter().zip(truth)) {
-            *largest = largest.max(error(float, truth));
+            *largest = largest.max(truth.distance(float));
             *size = size.max(truth.magnitude());
         }
     }
@@ -80,7 +80,7 @@ impl Errors {
 /// are those of the derivation times `scale`.
 ///
 /// # Panics
-/// If a normal or an offset point is there where there is none, or the other way around.
+/// If a normal or an offset point is there where there is none, or the other way around, or anything else is not there.
 #[must_use]
 pub fn measure(
     surface: &dyn Surface,
@@ -96,29 +96,36 @@ pub fn measure(
     for (u, v) in parameters(surface) {
         let name = surface.name();
         let truth = oracle.at(u, v);
-        let homogeneous = surface.homogeneous(u, v);
+        let homogeneous = there(surface, u, v, surface.homogeneous(u, v));
         let exact = truth.homogeneous.each_ref().map(|coordinate| coordinate.mul(&scale));
         record(Quantity::Homogeneous, &homogeneous, &exact);
-        record(Quantity::Point, &surface.point(u, v), &truth.point);
-        record(Quantity::PartialU, &surface.partial_u(u, v), &truth.partial_u);
-        record(Quantity::PartialV, &surface.partial_v(u, v), &truth.partial_v);
-        record(Quantity::SpeedU, &[surface.speed_u(u, v)], std::slice::from_ref(&truth.speed_u));
-        record(Quantity::SpeedV, &[surface.speed_v(u, v)], std::slice::from_ref(&truth.speed_v));
-        match (surface.unit_normal(u, v), &truth.unit_normal) {
-            (Regularity::Regular(normal), Some(truth)) => record(Quantity::UnitNormal, &normal, truth),
-            (Regularity::Singular, None) => {}
+        record(Quantity::Point, &there(surface, u, v, surface.point(u, v)), &truth.point);
+        record(Quantity::Point, &there(surface, u, v, surface.separated_point(u, v)), &truth.point);
+        record(Quantity::PartialU, &there(surface, u, v, surface.partial_u(u, v)), &truth.partial_u);
+        record(Quantity::PartialV, &there(surface, u, v, surface.partial_v(u, v)), &truth.partial_v);
+        let speeds = [surface.speed_u(u, v), surface.speed_v(u, v)].map(|speed| there(surface, u, v, speed));
+        record(Quantity::SpeedU, &speeds[..1], &truth.speeds[..1]);
+        record(Quantity::SpeedV, &speeds[1..], &truth.speeds[1..]);
+        match (surface.unit_normal(u, v), truth.unit_normal()) {
+            (Ok(normal), Some(truth)) => record(Quantity::UnitNormal, &normal, truth),
+            (Err(Undefined::Singular), None) => {}
             (found, exact) => panic!("{name} at ({u}, {v}) has the normal {found:?}, exactly {exact:?}"),
         }
         for r in DISTANCES {
             match (surface.offset_point(r, u, v), &truth.offset_point(r)) {
-                (Regularity::Regular(point), Some(truth)) => record(Quantity::OffsetPoint, &point, truth),
-                (Regularity::Singular, None) => {}
+                (Ok(point), Some(truth)) => record(Quantity::OffsetPoint, &point, truth),
+                (Err(Undefined::Singular), None) => {}
                 (found, exact) => panic!("{name} at ({u}, {v}) has the offset {found:?}, exactly {exact:?}"),
             }
         }
         record(Quantity::ControlNet, &bezier_point(surface, u, v), &exact);
     }
     errors
+}
+
+/// What a surface has at (u, v).
+fn there<T>(surface: &dyn Surface, u: f64, v: f64, result: Result<T, Undefined>) -> T {
+    result.unwrap_or_else(|reason| panic!("{} at ({u}, {v}): {reason}", surface.name()))
 }
 
 /// The homogeneous point of a surface's control net at (u, v), by de Casteljau's scheme in u, then in v.

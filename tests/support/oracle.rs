@@ -1,9 +1,13 @@
 //! Exact evaluation: what the evaluators' floats are measured with.
+//!
+//! Everything follows from the derived homogeneous coordinates by the classical formulas of differential geometry, which are not
+//! those of the programs: quotient rule, cross product, fundamental forms, Weingarten's equations.
 
 use std::collections::BTreeMap;
 
 use hodograph_algebra::{Derivation, Poly, Rational};
 use hodograph_codegen::round::exact;
+use hodograph_codegen::schedule::outputs;
 
 use crate::fixed::{BITS, Fixed};
 
@@ -20,14 +24,13 @@ struct Enclosed {
 pub struct Oracle<'a> {
     derivation: &'a Derivation,
     homogeneous: [Enclosed; 4],
-    along_u: [Enclosed; 4],
-    along_v: [Enclosed; 4],
+    /// Derivatives of the homogeneous coordinates by u, by v, twice by u, by both, twice by v.
+    derivatives: [[Enclosed; 4]; 5],
     normal: [Enclosed; 3],
     singular: Enclosed,
 }
 
-/// What a surface is at one pair of parameters: intervals that enclose the exact numbers, far narrower than the step
-/// between floats.
+/// What a surface is at one pair of parameters: balls that hold the exact numbers, far narrower than the step between floats.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// W, X, Y, Z.
@@ -38,12 +41,33 @@ pub struct Truth {
     pub partial_u: [Fixed; 3],
     /// R_v.
     pub partial_v: [Fixed; 3],
-    /// ‖R_u‖.
-    pub speed_u: Fixed,
-    /// ‖R_v‖.
-    pub speed_v: Fixed,
-    /// The unit normal; `None` exactly where R_u × R_v vanishes.
-    pub unit_normal: Option<[Fixed; 3]>,
+    /// R_uu, R_uv and R_vv.
+    pub second: [[Fixed; 3]; 3],
+    /// E, F, G.
+    pub first_form: [Fixed; 3],
+    /// ‖R_u‖ and ‖R_v‖.
+    pub speeds: [Fixed; 2],
+    /// What needs a normal; `None` exactly where R_u × R_v vanishes, or is too small for the enclosures.
+    pub regular: Option<Regular>,
+}
+
+/// What a surface is at a regular point.
+#[derive(Clone, Debug)]
+pub struct Regular {
+    /// The unit normal n on the side of R_u × R_v.
+    pub unit_normal: [Fixed; 3],
+    /// L, M, N.
+    pub second_form: [Fixed; 3],
+    /// K.
+    pub gaussian: Fixed,
+    /// H.
+    pub mean: Fixed,
+    /// k₁ ≥ k₂.
+    pub principal: [Fixed; 2],
+    /// n_u.
+    pub normal_u: [Fixed; 3],
+    /// n_v.
+    pub normal_v: [Fixed; 3],
 }
 
 impl<'a> Oracle<'a> {
@@ -52,13 +76,16 @@ impl<'a> Oracle<'a> {
     pub fn new(derivation: &'a Derivation) -> Oracle<'a> {
         let enclosed = |poly: &Poly| Enclosed::new(poly, derivation);
         let homogeneous = derivation.homogeneous.coordinates();
-        let along = |variable| homogeneous.each_ref().map(|poly| enclosed(&poly.derivative(variable)));
         let [u, v] = &derivation.parameters;
+        let along = |first: &_| homogeneous.each_ref().map(|poly| poly.derivative(first));
+        let [along_u, along_v] = [along(u), along(v)];
+        let again = |along: &[Poly; 4], second: &_| along.each_ref().map(|poly| poly.derivative(second));
+        let second = [again(&along_u, u), again(&along_u, v), again(&along_v, v)];
+        let [uu, uv, vv] = second.each_ref().map(|polys| polys.each_ref().map(enclosed));
         Oracle {
             derivation,
             homogeneous: homogeneous.each_ref().map(enclosed),
-            along_u: along(u),
-            along_v: along(v),
+            derivatives: [along_u.each_ref().map(enclosed), along_v.each_ref().map(enclosed), uu, uv, vv],
             normal: derivation.normal.numerator().each_ref().map(enclosed),
             singular: enclosed(&derivation.singular.factor),
         }
@@ -73,26 +100,52 @@ impl<'a> Oracle<'a> {
         let place = Place::new(u, v);
         let homogeneous = self.homogeneous.each_ref().map(|poly| poly.at(&place));
         let [weight, coordinates @ ..] = &homogeneous;
-        let point = coordinates.each_ref().map(|x| x.div(weight));
-        // (X/W)' = (X' − (X/W)·W')/W
-        let partial = |along: &[Enclosed; 4]| -> [Fixed; 3] {
-            let [slope, along @ ..] = along.each_ref().map(|poly| poly.at(&place));
-            std::array::from_fn(|i| along[i].sub(&point[i].mul(&slope)).div(weight))
+        let over = |number: &Fixed| {
+            number.div(weight).unwrap_or_else(|| panic!("the surface has a pole at ({u}, {v})"))
         };
-        let (partial_u, partial_v) = (partial(&self.along_u), partial(&self.along_v));
-        let unit_normal = self.is_regular(&place).then(|| {
-            let cross = cross(&partial_u, &partial_v);
-            let length = norm(&cross);
-            cross.map(|component| component.div(&length))
-        });
-        let (speed_u, speed_v) = (norm(&partial_u), norm(&partial_v));
-        Truth { homogeneous, point, partial_u, partial_v, speed_u, speed_v, unit_normal }
+        let point = coordinates.each_ref().map(over);
+        let [along_u, along_v, along_uu, along_uv, along_vv] =
+            self.derivatives.each_ref().map(|polys| polys.each_ref().map(|poly| poly.at(&place)));
+        // X = W·x, so that X_u = W_u·x + W·x_u and X_uv = W_uv·x + W_u·x_v + W_v·x_u + W·x_uv.
+        let first = |[slope, along @ ..]: &[Fixed; 4]| -> [Fixed; 3] {
+            std::array::from_fn(|i| over(&along[i].sub(&point[i].mul(slope))))
+        };
+        let (partial_u, partial_v) = (first(&along_u), first(&along_v));
+        let second = |[curve, along @ ..]: &[Fixed; 4],
+                      a: &Fixed,
+                      of_b: &[Fixed; 3],
+                      b: &Fixed,
+                      of_a: &[Fixed; 3]|
+         -> [Fixed; 3] {
+            std::array::from_fn(|i| {
+                let others = point[i].mul(curve).add(&a.mul(&of_b[i])).add(&b.mul(&of_a[i]));
+                over(&along[i].sub(&others))
+            })
+        };
+        let (weight_u, weight_v) = (&along_u[0], &along_v[0]);
+        let second = [
+            second(&along_uu, weight_u, &partial_u, weight_u, &partial_u),
+            second(&along_uv, weight_u, &partial_v, weight_v, &partial_u),
+            second(&along_vv, weight_v, &partial_v, weight_v, &partial_v),
+        ];
+        let first_form =
+            [dot(&partial_u, &partial_u), dot(&partial_u, &partial_v), dot(&partial_v, &partial_v)];
+        let speeds = [first_form[0].sqrt(), first_form[2].sqrt()];
+        let regular = if self.is_regular(&place) {
+            Regular::new(&partial_u, &partial_v, &second, &first_form)
+        } else {
+            None
+        };
+        Truth { homogeneous, point, partial_u, partial_v, second, first_form, speeds, regular }
     }
 
     /// Whether R_u × R_v does not vanish: decided in the number field where enclosures hold zero.
     fn is_regular(&self, place: &Place) -> bool {
         let vanishes = |poly: &Enclosed| {
-            poly.at(place).contains_zero() && self.exact(&poly.exact, &place.u.0, &place.v.0).is_zero()
+            poly.at(place).contains_zero() && {
+                let [u, v] = place.numbers();
+                self.exact(&poly.exact, &u, &v).is_zero()
+            }
         };
         !vanishes(&self.singular) && !self.normal.iter().all(vanishes)
     }
@@ -110,25 +163,60 @@ impl<'a> Oracle<'a> {
     /// If a parameter is not finite.
     #[must_use]
     pub fn homogeneous_in_field(&self, u: f64, v: f64) -> [Poly; 4] {
-        let place = Place::new(u, v);
-        self.homogeneous.each_ref().map(|poly| self.exact(&poly.exact, &place.u.0, &place.v.0))
+        let [u, v] = Place::new(u, v).numbers();
+        self.homogeneous.each_ref().map(|poly| self.exact(&poly.exact, &u, &v))
     }
 }
 
-/// A pair of parameters, exactly and enclosed.
+impl Regular {
+    /// Normal and curvatures of the derivatives; `None` where R_u × R_v is too small.
+    fn new(
+        partial_u: &[Fixed; 3],
+        partial_v: &[Fixed; 3],
+        [uu, uv, vv]: &[[Fixed; 3]; 3],
+        [e, f, g]: &[Fixed; 3],
+    ) -> Option<Regular> {
+        let cross = cross(partial_u, partial_v);
+        let length = dot(&cross, &cross).sqrt();
+        let [Some(x), Some(y), Some(z)] = cross.each_ref().map(|component| component.div(&length)) else {
+            return None;
+        };
+        let unit_normal = [x, y, z];
+        let second_form @ [l, m, n] = &[dot(&unit_normal, uu), dot(&unit_normal, uv), dot(&unit_normal, vv)];
+        let area = e.mul(g).sub(&f.mul(f));
+        let difference = |a: &Fixed, b: &Fixed, c: &Fixed, d: &Fixed| a.mul(b).sub(&c.mul(d)).div(&area);
+        let gaussian = difference(l, n, m, m)?;
+        let mean = e.mul(n).add(&g.mul(l)).sub(&f.mul(m)).sub(&f.mul(m)).div(&area)?.half();
+        let root = mean.mul(&mean).sub(&gaussian).sqrt();
+        let principal = [mean.add(&root), mean.sub(&root)];
+        // Weingarten's equations: n_u = ((M F − L G) R_u + (L F − M E) R_v)/(E G − F²), and the same for n_v with M and N.
+        let slope = |l: &Fixed, m: &Fixed| -> Option<[Fixed; 3]> {
+            let (a, b) = (difference(m, f, l, g)?, difference(l, f, m, e)?);
+            Some(std::array::from_fn(|i| a.mul(&partial_u[i]).add(&b.mul(&partial_v[i]))))
+        };
+        let (normal_u, normal_v) = (slope(l, m)?, slope(m, n)?);
+        let second_form = second_form.clone();
+        Some(Regular { unit_normal, second_form, gaussian, mean, principal, normal_u, normal_v })
+    }
+}
+
+/// A pair of parameters.
 struct Place {
-    u: (Rational, Fixed),
-    v: (Rational, Fixed),
+    floats: [f64; 2],
+    u: Fixed,
+    v: Fixed,
 }
 
 impl Place {
     fn new(u: f64, v: f64) -> Place {
-        let [u, v] = [u, v].map(|float| {
-            let number = exact(float).unwrap_or_else(|| panic!("the parameter {float} is no number"));
-            let fixed = Fixed::of(&number);
-            (number, fixed)
-        });
-        Place { u, v }
+        let fixed =
+            |float| Fixed::float(float).unwrap_or_else(|| panic!("the parameter {float} is no number"));
+        Place { floats: [u, v], u: fixed(u), v: fixed(v) }
+    }
+
+    /// The parameters, exactly.
+    fn numbers(&self) -> [Rational; 2] {
+        self.floats.map(|float| exact(float).unwrap_or_else(|| panic!("the parameter {float} is no number")))
     }
 }
 
@@ -143,45 +231,75 @@ impl Enclosed {
     }
 
     fn at(&self, place: &Place) -> Fixed {
-        let row = |row: &BTreeMap<u32, Fixed>| horner(row.iter().map(|(i, c)| (*i, c.clone())), &place.v.1);
-        horner(self.coefficients.iter().map(|(i, coefficients)| (*i, row(coefficients))), &place.u.1)
+        let row = |row: &BTreeMap<u32, Fixed>| horner(row.iter().map(|(i, c)| (*i, c.clone())), &place.v);
+        horner(self.coefficients.iter().map(|(i, coefficients)| (*i, row(coefficients))), &place.u)
     }
 }
 
 /// Σ cᵢ·tⁱ for the pairs (i, cᵢ), by increasing exponents.
 fn horner(terms: impl DoubleEndedIterator<Item = (u32, Fixed)>, t: &Fixed) -> Fixed {
-    let (mut sum, mut at) = (Fixed::zero(), 0);
+    let mut sum: Option<(Fixed, u32)> = None;
     for (exponent, coefficient) in terms.rev() {
-        sum = (exponent..at).fold(sum, |sum, _| sum.mul(t)).add(&coefficient);
-        at = exponent;
+        let raised = sum.map(|(sum, at)| (exponent..at).fold(sum, |sum, _| sum.mul(t)));
+        sum = Some((raised.map_or(coefficient.clone(), |sum| sum.add(&coefficient)), exponent));
     }
-    (0..at).fold(sum, |sum, _| sum.mul(t))
+    sum.map_or_else(Fixed::zero, |(sum, at)| (0..at).fold(sum, |sum, _| sum.mul(t)))
 }
 
 impl Truth {
+    /// The exact numbers of an output of the programs, by its name; `None` if it needs a normal where there is none.
+    ///
+    /// # Panics
+    /// If there is no such output.
+    #[must_use]
+    pub fn output(&self, name: &str) -> Option<&[Fixed]> {
+        use std::slice::from_ref;
+        let regular = self.regular.as_ref();
+        let [uu, uv, vv] = &self.second;
+        Some(match name {
+            outputs::HOMOGENEOUS => &self.homogeneous,
+            outputs::POINT | outputs::SEPARATED_POINT => &self.point,
+            outputs::PARTIAL_U => &self.partial_u,
+            outputs::PARTIAL_V => &self.partial_v,
+            outputs::PARTIAL_UU => uu,
+            outputs::PARTIAL_UV => uv,
+            outputs::PARTIAL_VV => vv,
+            outputs::FIRST_FORM => &self.first_form,
+            outputs::SPEEDS => &self.speeds,
+            outputs::UNIT_NORMAL => &regular?.unit_normal,
+            outputs::SECOND_FORM => &regular?.second_form,
+            outputs::GAUSSIAN => from_ref(&regular?.gaussian),
+            outputs::MEAN => from_ref(&regular?.mean),
+            outputs::PRINCIPAL => &regular?.principal,
+            outputs::NORMAL_U => &regular?.normal_u,
+            outputs::NORMAL_V => &regular?.normal_v,
+            _ => panic!("`{name}` is no output"),
+        })
+    }
+
+    /// The unit normal, where there is one.
+    #[must_use]
+    pub fn unit_normal(&self) -> Option<&[Fixed; 3]> {
+        self.regular.as_ref().map(|regular| &regular.unit_normal)
+    }
+
     /// The point R + r·N of the offset at the distance `r`, where the surface is regular.
     ///
     /// # Panics
     /// If `r` is not finite.
     #[must_use]
     pub fn offset_point(&self, r: f64) -> Option<[Fixed; 3]> {
-        let r = Fixed::of(&exact(r).unwrap_or_else(|| panic!("the distance {r} is no number")));
-        let normal = self.unit_normal.as_ref()?;
+        let r = Fixed::float(r).unwrap_or_else(|| panic!("the distance {r} is no number"));
+        let normal = self.unit_normal()?;
         Some(std::array::from_fn(|i| self.point[i].add(&normal[i].mul(&r))))
     }
 }
 
-/// The largest distance of `float` from a number in `truth`; infinite for NaN and infinities.
-#[must_use]
-pub fn error(float: f64, truth: &Fixed) -> f64 {
-    exact(float).map_or(f64::INFINITY, |float| truth.distance(&float))
+fn dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
+    a[0].mul(&b[0]).add(&a[1].mul(&b[1])).add(&a[2].mul(&b[2]))
 }
 
 fn cross(a: &[Fixed; 3], b: &[Fixed; 3]) -> [Fixed; 3] {
     let minor = |i: usize, j: usize| a[i].mul(&b[j]).sub(&a[j].mul(&b[i]));
     [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn norm(vector: &[Fixed; 3]) -> Fixed {
-    vector.iter().fold(Fixed::zero(), |sum, x| sum.add(&x.mul(x))).sqrt()
 }

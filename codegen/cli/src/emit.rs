@@ -23,11 +23,8 @@ const DIFFERENT: u8 = 1;
 /// # Errors
 /// Bad input; a surface without evaluator; a file that cannot be written.
 pub(crate) fn run(arguments: &EmitArguments) -> Result<ExitCode, Failure> {
-    if arguments.target == Target::C {
-        return Err(Failure::new("sources in C are not available yet").help("use `--target rust`"));
-    }
     let document = input::load(&arguments.input.input, arguments.budget.limit)?;
-    let text = rust(&document, arguments)?;
+    let text = source(&document, arguments)?;
     match &arguments.output {
         None => console::print(&text)?,
         Some(path) if arguments.check => return check(path, &text, arguments),
@@ -36,8 +33,8 @@ pub(crate) fn run(arguments: &EmitArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The source in Rust of all sweeps that were asked for.
-fn rust(document: &Document, arguments: &EmitArguments) -> Result<String, Failure> {
+/// The source of all sweeps that were asked for.
+fn source(document: &Document, arguments: &EmitArguments) -> Result<String, Failure> {
     let progress = Progress::new();
     let mut artifacts = Vec::new();
     let mut diagnostics = Diagnostics::new();
@@ -50,6 +47,9 @@ fn rust(document: &Document, arguments: &EmitArguments) -> Result<String, Failur
     }
     if !diagnostics.is_empty() {
         return Err(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
+    }
+    if arguments.target == Target::C {
+        return Ok(emit::header(&artifacts));
     }
     let text = if arguments.standalone {
         let runtime: Vec<(&str, &str)> =
@@ -90,7 +90,10 @@ fn mending(path: &Path, arguments: &EmitArguments) -> String {
     if let Some(sweep) = &arguments.input.sweep {
         command += &format!(" --sweep {}", quoted(sweep));
     }
-    command += " --target rust";
+    command += match arguments.target {
+        Target::Rust => " --target rust",
+        Target::C => " --target c",
+    };
     if arguments.standalone {
         command += " --standalone";
     }

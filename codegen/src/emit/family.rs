@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::body::{Body, symbol};
-use super::code::Code;
+use super::body::{literal, symbol, write};
+use super::code::{Code, Field, Mode, Number};
+use super::expression::Body;
 use super::rust::{camel_case, doc};
 use super::{Artifact, Setting, net};
 use crate::meaning::CoefficientKind;
@@ -132,14 +133,16 @@ fn speeds(code: &Code<'_>) -> Option<TokenStream> {
 
 /// The function that computes what all evaluators need of the parameters.
 fn coefficients(artifact: &Artifact, code: &Code<'_>) -> TokenStream {
-    let mut values: Vec<_> = code.fields.iter().flat_map(|(_, values)| values.iter().copied()).collect();
-    values.sort();
-    values.dedup();
-    let Body { statements, results, inputs } = Body::new(code, &values, &BTreeMap::new());
-    let of = |value| values.iter().position(|other| *other == value).map(|place| &results[place]);
-    let fields = code.fields.iter().map(|(name, values)| {
-        let values = values.iter().map(|&value| of(value));
-        quote! { #name: [#(#values),*] }
+    let (values, fields) = code.computed();
+    let body = Body::new(code, &values, &BTreeMap::new());
+    let (statements, results) = write(code, Mode::Plain, &body);
+    let inputs = body.inputs;
+    let fields = fields.into_iter().map(|Field { name, numbers }| {
+        let numbers = numbers.into_iter().map(|number| match number {
+            Number::Computed(place) => results[place].clone(),
+            Number::Constant(number) => literal(number),
+        });
+        quote! { #name: [#(#numbers),*] }
     });
     let used = |name: &str| {
         let place = code.program.symbols().iter().position(|known| known == name);

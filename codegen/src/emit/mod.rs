@@ -4,21 +4,31 @@
 //! text, and [`standalone`] adds the little of the runtime that the items need.
 
 mod body;
+mod c;
+mod chain;
 mod code;
+mod documentation;
+mod expression;
 mod family;
 pub mod latex;
+mod names;
 mod net;
-mod polynomial;
 mod rust;
+mod stages;
 mod standalone;
+mod task;
 
 use proc_macro2::TokenStream;
 
+pub use c::header;
 pub use rust::module;
 pub use standalone::standalone;
+pub use task::{TASKS, Task};
 
 use crate::meaning::CoefficientKind;
+use crate::offset::OffsetPatch;
 use crate::program::Program;
+use crate::proofs::Proofs;
 
 /// A surface to be emitted: its program, and what is said of it.
 #[derive(Clone, Debug)]
@@ -39,6 +49,10 @@ pub struct Artifact {
     pub domain: [[f64; 2]; 2],
     /// Homogeneous control points over the domain, the index of u outer.
     pub control_net: Vec<[f64; 4]>,
+    /// What is proved of the evaluators; families, whose coefficients are not known, have no bounds that are constants.
+    pub proofs: Option<Proofs>,
+    /// The exact offset patches, if they are rational; families have none.
+    pub offset: Option<OffsetPatch>,
     /// What is set at run time; nothing for a surface whose coefficients are all numbers. Then the control net is empty,
     /// since each member of the family has its own.
     pub symbols: Vec<Setting>,

@@ -7,6 +7,7 @@ use quote::{ToTokens, quote};
 
 use super::Artifact;
 use super::body::literal;
+use super::chain::Coefficient;
 use super::code::Code;
 use crate::program::{Input, Operation, Stage, Term, Value};
 use crate::schedule::outputs;
@@ -153,6 +154,24 @@ impl<'a> Writer<'a> {
         if program.stage(value) <= Stage::Symbols {
             return Form::Number(self.number(value));
         }
+        if let Some(chain) = self.code.chains.get(&value) {
+            let (base, degree) = self.value(chain.base).coefficients();
+            let coefficients = match self.code.array(value) {
+                Some(array) => array,
+                None => {
+                    let numbers = chain.coefficients.iter().map(|coefficient| match coefficient {
+                        Coefficient::Value(value) => self.number(*value),
+                        Coefficient::One => literal(1.0),
+                        Coefficient::MinusOne => literal(-1.0),
+                    });
+                    quote! { [#(#numbers),*] }
+                }
+            };
+            let name = Ident::new(&format!("b{}", value.index()), Span::call_site());
+            let degree = degree * (chain.coefficients.len() - 1);
+            self.bind(&name, degree, &quote! { #runtime::bernstein::horner(&#coefficients, &#base) });
+            return Form::Polynomial(name, degree);
+        }
         let (degree, code) = match *program.operation(value) {
             Operation::Input(Input::U) => (1, quote! { Self::DOMAIN.u }),
             Operation::Input(_) => (1, quote! { Self::DOMAIN.v }),
@@ -160,18 +179,26 @@ impl<'a> Writer<'a> {
                 let (a, degree) = self.value(a).coefficients();
                 (degree, quote! { #runtime::bernstein::scaled(&#a, -1.0) })
             }
-            Operation::Add(a, b) => self.sum(a, b, &quote! { 1.0 }),
-            Operation::Subtract(a, b) => self.sum(a, b, &quote! { -1.0 }),
-            Operation::Multiply(a, b) => match (self.value(a), self.value(b)) {
-                (Form::Number(factor), other) | (other, Form::Number(factor)) => {
-                    let (other, degree) = other.coefficients();
-                    (degree, quote! { #runtime::bernstein::scaled(&#other, #factor) })
-                }
-                (Form::Polynomial(a, m), Form::Polynomial(b, n)) => {
-                    (m + n, quote! { #runtime::bernstein::product(&#a, &#b) })
-                }
-            },
-            Operation::Constant(_) | Operation::Divide(..) | Operation::SquareRoot(_) => {
+            Operation::Add(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                self.sum(a, b, &quote! { 1.0 })
+            }
+            Operation::Subtract(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                self.sum(a, b, &quote! { -1.0 })
+            }
+            Operation::Multiply(a, b) => self.product(a, b),
+            Operation::MultiplyAdd(a, b, c) => {
+                let (degree, code) = self.product(a, b);
+                let product = Form::Polynomial(self.temporary(degree, &code), degree);
+                let c = self.value(c);
+                self.sum(product, c, &quote! { 1.0 })
+            }
+            Operation::Constant(_)
+            | Operation::Divide(..)
+            | Operation::SquareRoot(_)
+            | Operation::Orient(..)
+            | Operation::Scale(..) => {
                 unreachable!("homogeneous coordinates and conditions are polynomials")
             }
         };
@@ -180,10 +207,23 @@ impl<'a> Writer<'a> {
         Form::Polynomial(name, degree)
     }
 
-    /// The degree and the code of a + `sign`·b; a number comes last where that is all the same.
-    fn sum(&mut self, a: Value, b: Value, sign: &TokenStream) -> (usize, TokenStream) {
+    /// The degree and the code of a·b.
+    fn product(&mut self, a: Value, b: Value) -> (usize, TokenStream) {
         let runtime = self.code.runtime;
-        let (mut first, mut second) = (self.value(a), self.value(b));
+        match (self.value(a), self.value(b)) {
+            (Form::Number(factor), other) | (other, Form::Number(factor)) => {
+                let (other, degree) = other.coefficients();
+                (degree, quote! { #runtime::bernstein::scaled(&#other, #factor) })
+            }
+            (Form::Polynomial(a, m), Form::Polynomial(b, n)) => {
+                (m + n, quote! { #runtime::bernstein::product(&#a, &#b) })
+            }
+        }
+    }
+
+    /// The degree and the code of a + `sign`·b; a number comes last where that is all the same.
+    fn sum(&mut self, mut first: Form, mut second: Form, sign: &TokenStream) -> (usize, TokenStream) {
+        let runtime = self.code.runtime;
         if matches!(first, Form::Number(_)) && sign.to_string() == "1.0" {
             std::mem::swap(&mut first, &mut second);
         }
@@ -193,6 +233,6 @@ impl<'a> Writer<'a> {
 
     /// A value that depends on no parameter.
     fn number(&self, value: Value) -> TokenStream {
-        self.code.body(&[value]).results.into_iter().collect()
+        self.code.number(value)
     }
 }

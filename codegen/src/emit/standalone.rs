@@ -10,7 +10,8 @@ use super::{Artifact, format, module};
 ///
 /// `files` are the runtime's files by the names of their modules, as `hodograph::runtime()` gives them.
 ///
-/// Square roots are those of the standard library. Examples in the runtime's documentation are left out, since they
+/// Functions are those of the standard library, and fused multiply-add is used where the build assumes it of the machine: the
+/// text has no unsafe code. Examples in the runtime's documentation are left out, since they
 /// name its package.
 ///
 /// # Errors
@@ -36,8 +37,8 @@ fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<Token
     let mut modules = TokenStream::new();
     let errors = families.then(|| quote! { pub use family::ParameterError; });
     for (module, text) in files.iter().filter(|(module, _)| families || !OF_FAMILIES.contains(module)) {
-        let mut file: syn::File = syn::parse_str(&text.replace("use crate::", "use super::"))?;
-        file.items.retain(|item| !matches!(item, Item::Mod(_)));
+        let mut file: syn::File = syn::parse_str(&text.replace("crate::", "super::"))?;
+        file.items.retain(|item| !matches!(item, Item::Mod(module) if module.ident == "tests"));
         file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));
         for item in &mut file.items {
             shorten(item);
@@ -47,19 +48,51 @@ fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<Token
     }
     Ok(quote! {
         /// What the surfaces need to run.
-        #[allow(dead_code, missing_docs, clippy::pedantic, clippy::nursery)]
+        #[allow(dead_code, missing_docs, unused_imports, rustdoc::broken_intra_doc_links, clippy::all, clippy::pedantic, clippy::nursery)]
         pub mod #name {
             #errors
-            pub use grid::GridError;
-            pub use regularity::Regularity;
-            pub use surface::{Domain, Surface};
+            pub use batch::{Batch, BatchError, Rows};
+            pub use bounds::{Bound, Bounds};
+            pub use dispatch::Variant;
+            pub use output::{Item, Output, Window};
+            pub use real::{Float, Fused, Plain, Real, Rounded, horner};
+            pub use surface::{Domain, Patch, Surface, offset_net};
+            pub use task::{
+                First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Stages, Sweep, Task,
+            };
+            pub use undefined::Undefined;
+            pub use values::{FirstOrder, LocalGeometry, SecondOrder};
 
             pub mod float {
+                /// Whether `mul_add` is an instruction wherever the code runs.
+                pub const HAS_FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
                 /// The correctly rounded square root.
-                #[inline]
+                #[inline(always)]
                 #[must_use]
                 pub fn sqrt(x: f64) -> f64 {
                     x.sqrt()
+                }
+
+                /// The correctly rounded square root in single precision.
+                #[inline(always)]
+                #[must_use]
+                pub fn sqrt_f32(x: f32) -> f32 {
+                    x.sqrt()
+                }
+
+                /// a·b + c, rounded once.
+                #[inline(always)]
+                #[must_use]
+                pub fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+                    a.mul_add(b, c)
+                }
+
+                /// a·b + c in single precision, rounded once.
+                #[inline(always)]
+                #[must_use]
+                pub fn mul_add_f32(a: f32, b: f32, c: f32) -> f32 {
+                    a.mul_add(b, c)
                 }
             }
             #modules
@@ -73,7 +106,14 @@ fn shorten(item: &mut Item) {
         Item::Enum(item) => shorten_documentation(&mut item.attrs),
         Item::Struct(item) => shorten_documentation(&mut item.attrs),
         Item::Fn(item) => shorten_documentation(&mut item.attrs),
-        Item::Trait(item) => shorten_documentation(&mut item.attrs),
+        Item::Trait(item) => {
+            shorten_documentation(&mut item.attrs);
+            for item in &mut item.items {
+                if let syn::TraitItem::Fn(function) = item {
+                    shorten_documentation(&mut function.attrs);
+                }
+            }
+        }
         Item::Impl(item) => {
             for item in &mut item.items {
                 if let syn::ImplItem::Fn(function) = item {

@@ -97,10 +97,22 @@ pub enum ClauseKind {
     Surface(Surface),
     /// `domain u in 0..1, v in 0..1;`
     Domain(Vec<Interval>),
+    /// `prefer accurate;`: what evaluators should be above all.
+    Prefer(Spanned<Preference>),
     /// `claim "id": …;`
     Claim(Claim),
     /// `substitute u = …;`
     Substitute(Definition),
+}
+
+/// What evaluators should be above all.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
+pub enum Preference {
+    /// `fast`, which is the default.
+    #[default]
+    Fast,
+    /// `accurate`
+    Accurate,
 }
 
 /// An unknown function of one parameter, `x(u)`.

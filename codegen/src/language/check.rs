@@ -29,6 +29,11 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
         _ => None,
     });
     report_repeated(sources.map(|span| ("two sources".to_string(), span)), diagnostics);
+    let preferences = item.clauses.iter().filter_map(|clause| match &clause.kind {
+        ClauseKind::Prefer(preference) => Some(("two preferences".to_string(), preference.span)),
+        _ => None,
+    });
+    report_repeated(preferences, diagnostics);
     let surfaces: Vec<&Surface> = item.clauses.iter().filter_map(surface).collect();
     report_repeated(
         surfaces.iter().map(|surface| ("two surfaces".to_string(), surface.name.span)),

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::ast::{
-    Claim, Clause, ClauseKind, Curve, CurveRole, Definition, Function, Interval, Name, Spanned, Surface,
-    Verdict,
+    Claim, Clause, ClauseKind, Curve, CurveRole, Definition, Function, Interval, Name, Preference, Spanned,
+    Surface, Verdict,
 };
 use super::diagnostic::Diagnostic;
 use super::parser::{KEYWORDS, Parsed, Parser};
@@ -34,6 +34,7 @@ impl Parser<'_> {
             "path" => ClauseKind::Curve(self.curve(CurveRole::Path)?),
             "curve" => ClauseKind::Curve(self.curve(CurveRole::Curve)?),
             "surface" => ClauseKind::Surface(self.surface()?),
+            "prefer" => ClauseKind::Prefer(self.preference()?),
             "domain" => ClauseKind::Domain(self.comma_separated(Self::interval)?),
             "claim" => ClauseKind::Claim(self.claim()?),
             _ => ClauseKind::Substitute(self.definition()?),
@@ -43,6 +44,20 @@ impl Parser<'_> {
         }
         let span = start.to(self.advance());
         Ok(Clause { docs, span, kind })
+    }
+
+    fn preference(&mut self) -> Parsed<Spanned<Preference>> {
+        let value = match self.peek() {
+            TokenKind::Ident(word) if word == "fast" => Preference::Fast,
+            TokenKind::Ident(word) if word == "accurate" => Preference::Accurate,
+            _ => {
+                let wrong = self.expected("what is preferred");
+                return self
+                    .fail(wrong.help("write `prefer fast;`, which is the default, or `prefer accurate;`"));
+            }
+        };
+        let span = self.advance();
+        Ok(Spanned { value, span })
     }
 
     fn no_clause<T>(&mut self, word: &str) -> Parsed<T> {

@@ -9,6 +9,7 @@
 //!            | "let" name [ "(" names ")" ] "=" expression
 //!            | ("profile" | "path" | "curve") name "(" name ")" "=" expression
 //!            | "surface" name [ "(" name "," name ")" ] "=" expression
+//!            | "prefer" ("fast" | "accurate")
 //!            | "domain" name "in" sum ".." sum { "," … }
 //!            | "claim" text ":" expression { "," (text | "expect" verdict | "when" expression) }
 //!            | "substitute" name [ "(" names ")" ] "=" expression

@@ -7,7 +7,7 @@ use super::suggest::closest;
 use super::token::{Span, TokenKind, Tokens, shortened};
 
 /// The words that begin clauses.
-pub(super) const KEYWORDS: [&str; 11] = [
+pub(super) const KEYWORDS: [&str; 12] = [
     "source",
     "symbol",
     "function",
@@ -16,6 +16,7 @@ pub(super) const KEYWORDS: [&str; 11] = [
     "path",
     "curve",
     "surface",
+    "prefer",
     "domain",
     "claim",
     "substitute",

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::ast::{
     Argument, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, Function, Interval, Name,
-    ProductOperator, RelationOperator, SumOperator,
+    Preference, ProductOperator, RelationOperator, SumOperator,
 };
 
 /// How tightly an expression holds together, loosest first; each level of the grammar is one.
@@ -168,8 +168,18 @@ impl fmt::Display for Clause {
                 let one = |i: &Interval| format!("{} in {}..{}", i.parameter.value, i.start, i.end);
                 write!(f, "domain {};", intervals.iter().map(one).collect::<Vec<_>>().join(", "))
             }
+            ClauseKind::Prefer(preference) => write!(f, "prefer {};", preference.value),
             ClauseKind::Claim(claim) => write!(f, "claim {:?}: {};", claim.id.value, claim.relation),
         }
+    }
+}
+
+impl fmt::Display for Preference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Preference::Fast => "fast",
+            Preference::Accurate => "accurate",
+        })
     }
 }
 

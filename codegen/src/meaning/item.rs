@@ -12,7 +12,7 @@ use super::group::CoefficientGroup;
 use super::scope::Scope;
 use super::value::{FunctionValue, Value};
 use crate::language::ast::{
-    Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name,
+    Claim, Clause, ClauseKind, CurveRole, Definition, Expr, ExprKind, File, Item, ItemKind, Name, Preference,
 };
 use crate::language::{Diagnostic, Diagnostics, Span};
 
@@ -53,6 +53,8 @@ pub struct Model {
     pub source: Option<String>,
     /// The clauses that define the surface, as the language writes them, one a line.
     pub formula: Vec<String>,
+    /// What evaluators should be above all.
+    pub preference: Preference,
     /// The surface of a sweep.
     pub surface: Option<Rc<SweptSurface>>,
     /// The claims, in the order of the source.
@@ -135,6 +137,10 @@ fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> O
         ClauseKind::Source(text) => Some(text.value.clone()),
         _ => None,
     });
+    let preference = item.clauses.iter().find_map(|clause| match &clause.kind {
+        ClauseKind::Prefer(preference) => Some(preference.value),
+        _ => None,
+    });
     let claims: Vec<Claim> = item
         .clauses
         .iter()
@@ -159,6 +165,7 @@ fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> O
         source,
         limit,
         formula: formula(item, surface.as_deref()),
+        preference: preference.unwrap_or_default(),
         surface,
         claims,
         path: item.clauses.iter().find_map(|clause| match &clause.kind {
@@ -191,7 +198,9 @@ fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
     }
     for clause in &item.clauses {
         let result = match &clause.kind {
-            ClauseKind::Source(_) | ClauseKind::Claim(_) | ClauseKind::Domain(_) => Ok(()),
+            ClauseKind::Source(_) | ClauseKind::Claim(_) | ClauseKind::Domain(_) | ClauseKind::Prefer(_) => {
+                Ok(())
+            }
             ClauseKind::Surface(definition) => surface_of(scope, item, &definition.value, "the surface")
                 .and_then(|value| {
                     let value = Rc::new(value);
@@ -472,7 +481,11 @@ fn define(scope: &mut Scope, clause: &Clause, prefixes: bool) -> Result<(), Faul
             scope.settle(curve.name.span)?;
         }
         ClauseKind::Substitute(definition) => substitute_parameter(scope, definition)?,
-        ClauseKind::Source(_) | ClauseKind::Surface(_) | ClauseKind::Domain(_) | ClauseKind::Claim(_) => {}
+        ClauseKind::Source(_)
+        | ClauseKind::Surface(_)
+        | ClauseKind::Domain(_)
+        | ClauseKind::Prefer(_)
+        | ClauseKind::Claim(_) => {}
     }
     Ok(())
 }

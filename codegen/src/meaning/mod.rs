@@ -58,6 +58,7 @@
 //! | `surface R = …;` | the surface `R(u, v)`; once in a sweep, never in a lemma |
 //! | `surface R(s, t) = …;` | the same with other parameters |
 //! | `domain u in 0..1, v in -1..sqrt(2);` | closed intervals; the ends are numbers, the first is the smaller one |
+//! | `prefer accurate;` | evaluators are to be accurate rather than `fast`, the default: see *Preferences* |
 //! | `substitute v = …;` | after `surface`: a rational function in place of a parameter of the surface |
 //! | `claim "id": relation;` | what is to be settled; see *Claims* |
 //!
@@ -74,6 +75,14 @@
 //! - `substitute v = f;` replaces a parameter of the surface by a scalar of its parameters: `R(u, v)` becomes
 //!   `R(u, f)`, with all its coordinates and members, over the domain that is stated for `v`. The curves stay as they are.
 //!   Errors: no surface before it; a denominator that vanishes.
+//!
+//! # Preferences
+//!
+//! Without `prefer accurate;` evaluators are `fast`: of several schemes for a polynomial, each of which is proved to be the same
+//! polynomial, the one with the fewest operations and steps of latency is taken, unless another one is much more accurate. With it the
+//! one with the least error figure is taken, and the point is summed over the Bernstein basis: where the control points'
+//! coordinates have one sign nothing cancels, so that each coordinate is accurate relative to itself. It costs two to four
+//! times as many operations. Families are always `fast`.
 //!
 //! ```
 //! use hodograph_codegen::{language::parse_text, meaning::models};

@@ -1,5 +1,6 @@
 //! Operation counts.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Add;
 
@@ -7,7 +8,8 @@ use super::{Constant, Operation, Program, Stage, Value};
 
 /// How many operations of each kind a part of a program takes.
 ///
-/// Subtractions count as additions. A change of sign counts for nothing, since it flips a bit.
+/// Subtractions count as additions, and a fused multiply-add as both. Changes of sign and of scale by a power of two count for
+/// nothing, since they are no arithmetic on significands.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct OperationCounts {
     /// Additions and subtractions.
@@ -65,19 +67,40 @@ impl<C: Constant> Program<C> {
     #[must_use]
     pub fn count(&self, results: &[Value], stage: Stage) -> OperationCounts {
         let mut counts = OperationCounts::default();
+        // A product that is added to several numbers is one product.
+        let mut products = BTreeSet::new();
         for value in self.needed(results) {
             if self.stage(value) != stage {
                 continue;
             }
             match self.operation(value) {
                 Operation::Add(..) | Operation::Subtract(..) => counts.additions += 1,
-                Operation::Multiply(..) => counts.multiplications += 1,
+                Operation::Multiply(a, b) => _ = products.insert(self.factors(*a, *b)),
                 Operation::Divide(..) => counts.divisions += 1,
                 Operation::SquareRoot(_) => counts.square_roots += 1,
-                Operation::Constant(_) | Operation::Input(_) | Operation::Negate(_) => {}
+                Operation::MultiplyAdd(a, b, _) => {
+                    counts.additions += 1;
+                    products.insert(self.factors(*a, *b));
+                }
+                Operation::Constant(_)
+                | Operation::Input(_)
+                | Operation::Negate(_)
+                | Operation::Orient(..)
+                | Operation::Scale(..) => {}
             }
         }
+        counts.multiplications = products.len();
         counts
+    }
+
+    /// The factors of a product without their signs, in a fixed order.
+    fn factors(&self, a: Value, b: Value) -> (Value, Value) {
+        let magnitude = |value: Value| match *self.operation(value) {
+            Operation::Negate(a) => a,
+            _ => value,
+        };
+        let (a, b) = (magnitude(a), magnitude(b));
+        (a.min(b), a.max(b))
     }
 
     /// The operations that `results` take in a single evaluation: those of all stages but [`Stage::Symbols`], which are done

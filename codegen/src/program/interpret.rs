@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use super::{Constant, Input, Operation, Program, Value};
+use super::{Constant, Input, Operation, Program, Value, Variant};
 
 /// The numbers that a program is run over: floats, exact numbers, or polynomials and their fractions.
 pub trait Arithmetic<C> {
@@ -26,6 +26,18 @@ pub trait Arithmetic<C> {
     fn negate(&self, a: &Self::Number) -> Self::Number;
     /// √a, or `None` where the arithmetic has no such root.
     fn square_root(&self, a: &Self::Number) -> Option<Self::Number>;
+
+    /// a · b + c
+    fn multiply_add(&self, a: &Self::Number, b: &Self::Number, c: &Self::Number) -> Self::Number {
+        self.add(&self.multiply(a, b), c)
+    }
+
+    /// a where b > 0, −a where b < 0; `None` where there is neither, or the arithmetic does not know.
+    fn orient(&self, a: &Self::Number, b: &Self::Number) -> Option<Self::Number>;
+
+    /// The power of two that brings the largest of |a|, |b| and |c| to between 1 and 2; `None` where there is none, or the
+    /// arithmetic does not know.
+    fn scale(&self, a: &Self::Number, b: &Self::Number, c: &Self::Number) -> Option<Self::Number>;
 }
 
 /// The value of a program that an arithmetic could not compute.
@@ -61,11 +73,11 @@ pub fn interpret<C: Constant, A: Arithmetic<C>>(
 ///
 /// # Example
 /// ```
-/// use hodograph_codegen::program::{Floats, Input, Interpreter, Program};
+/// use hodograph_codegen::program::{Floats, Input, Interpreter, Program, Variant};
 /// let mut program = Program::<f64>::new();
 /// let u = program.input(Input::U);
 /// let square = program.multiply(u, u);
-/// let floats = Floats { u: 3.0, v: 0.0, symbols: &[] };
+/// let floats = Floats { u: 3.0, v: 0.0, symbols: &[], variant: Variant::Plain };
 /// let mut interpreter = Interpreter::new(&program, &floats);
 /// assert_eq!(interpreter.run(&[square]), Ok(()));
 /// assert_eq!(interpreter.number(square), Ok(&9.0));
@@ -131,11 +143,14 @@ impl<'a, C: Constant, A: Arithmetic<C>> Interpreter<'a, C, A> {
             Operation::Divide(a, b) => arithmetic.divide(of(*a)?, of(*b)?).ok_or(undefined)?,
             Operation::Negate(a) => arithmetic.negate(of(*a)?),
             Operation::SquareRoot(a) => arithmetic.square_root(of(*a)?).ok_or(undefined)?,
+            Operation::MultiplyAdd(a, b, c) => arithmetic.multiply_add(of(*a)?, of(*b)?, of(*c)?),
+            Operation::Orient(a, b) => arithmetic.orient(of(*a)?, of(*b)?).ok_or(undefined)?,
+            Operation::Scale(a, b, c) => arithmetic.scale(of(*a)?, of(*b)?, of(*c)?).ok_or(undefined)?,
         })
     }
 }
 
-/// The arithmetic of `f64`, at one point: it computes what emitted code computes, bit for bit.
+/// The arithmetic of `f64`, at one point: it computes what emitted code computes in the same variant, bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Floats<'a> {
     /// The first parameter.
@@ -144,6 +159,8 @@ pub struct Floats<'a> {
     pub v: f64,
     /// The program's symbols, in its order; NaN stands for missing ones.
     pub symbols: &'a [f64],
+    /// How a product is added.
+    pub variant: Variant,
 }
 
 impl Arithmetic<f64> for Floats<'_> {
@@ -184,11 +201,34 @@ impl Arithmetic<f64> for Floats<'_> {
     fn square_root(&self, a: &f64) -> Option<f64> {
         Some(a.sqrt())
     }
+
+    fn multiply_add(&self, a: &f64, b: &f64, c: &f64) -> f64 {
+        match self.variant {
+            Variant::Plain => a * b + c,
+            Variant::Fused => a.mul_add(*b, *c),
+        }
+    }
+
+    fn orient(&self, a: &f64, b: &f64) -> Option<f64> {
+        (*b != 0.0 && !b.is_nan()).then_some(if *b < 0.0 { -a } else { *a })
+    }
+
+    fn scale(&self, a: &f64, b: &f64, c: &f64) -> Option<f64> {
+        let largest = a.abs().max(b.abs()).max(c.abs());
+        (largest > 0.0 && largest.is_finite()).then(|| power_of_two_for(largest))
+    }
+}
+
+/// 2^k with 1 ≤ `size`·2^k < 2, as far as 2^k is a float; `size` is positive and finite.
+fn power_of_two_for(size: f64) -> f64 {
+    // Subnormal sizes have the least exponent, so that their multiples stay below 2.
+    let exponent = (size.to_bits() >> 52).max(1);
+    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::program::{Floats, Input, Program, interpret};
+    use crate::program::{Floats, Input, Program, Variant, interpret};
 
     #[test]
     fn every_operation_is_run() {
@@ -200,7 +240,11 @@ mod tests {
         let quotient = program.divide(product, v);
         let root = program.square_root(quotient);
         let negative = program.negate(root);
-        let numbers = interpret(&program, &[negative, product, u], &Floats { u: 6.0, v: 2.0, symbols: &[] });
+        let numbers = interpret(
+            &program,
+            &[negative, product, u],
+            &Floats { u: 6.0, v: 2.0, symbols: &[], variant: Variant::Plain },
+        );
         assert_eq!(numbers, Ok(vec![-(18.0_f64.sqrt()), 36.0, 6.0]));
     }
 }

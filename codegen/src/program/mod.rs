@@ -9,6 +9,7 @@
 //! arithmetic.
 
 mod count;
+mod fuse;
 mod interpret;
 mod terms;
 mod text;
@@ -113,6 +114,22 @@ pub enum Operation<C> {
     Negate(Value),
     /// √a
     SquareRoot(Value),
+    /// a · b + c, with one rounding in the fused variant and two in the plain one.
+    MultiplyAdd(Value, Value, Value),
+    /// a with the sign of b turned to plus: a where b > 0, −a where b < 0, and undefined where b = 0.
+    Orient(Value, Value),
+    /// A power of two 2^k with 1 ≤ max(|a|, |b|, |c|) · 2^k < 2, undefined where all three are zero. A direction that is multiplied
+    /// by it is the same direction, without rounding, and its squared norm neither overflows nor underflows.
+    Scale(Value, Value, Value),
+}
+
+/// What a multiplication and an addition that follows it do on a machine.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Variant {
+    /// Each is rounded: the same bits on every machine.
+    Plain,
+    /// They are rounded together, as machines with fused multiply-add do.
+    Fused,
 }
 
 impl<C> Operation<C> {
@@ -125,7 +142,9 @@ impl<C> Operation<C> {
             Operation::Add(a, b)
             | Operation::Subtract(a, b)
             | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => vec![a, b],
+            | Operation::Divide(a, b)
+            | Operation::Orient(a, b) => vec![a, b],
+            Operation::MultiplyAdd(a, b, c) | Operation::Scale(a, b, c) => vec![a, b, c],
         }
     }
 }
@@ -136,6 +155,8 @@ pub trait Constant: Clone + PartialEq {
     fn is_zero(&self) -> bool;
     /// Whether it is 1.
     fn is_one(&self) -> bool;
+    /// −a
+    fn negated(&self) -> Self;
     /// A number that equal constants share.
     fn fingerprint(&self) -> u64;
 }
@@ -147,6 +168,10 @@ impl Constant for f64 {
 
     fn is_one(&self) -> bool {
         *self == 1.0
+    }
+
+    fn negated(&self) -> f64 {
+        -self
     }
 
     fn fingerprint(&self) -> u64 {
@@ -184,7 +209,7 @@ pub struct Output {
 ///
 /// # Example
 /// ```
-/// use hodograph_codegen::program::{Floats, Input, Program, Stage, interpret};
+/// use hodograph_codegen::program::{Floats, Input, Program, Stage, Variant, interpret};
 /// let mut program = Program::new();
 /// let (u, v) = (program.input(Input::U), program.input(Input::V));
 /// let square = program.multiply(u, u);
@@ -192,7 +217,7 @@ pub struct Output {
 /// program.output("sum", vec![sum]);
 /// assert_eq!(program.stage(square), Stage::U);
 /// assert_eq!(program.stage(sum), Stage::Both);
-/// let values = interpret(&program, &[sum], &Floats { u: 3.0, v: 0.5, symbols: &[] }).unwrap();
+/// let values = interpret(&program, &[sum], &Floats { u: 3.0, v: 0.5, symbols: &[], variant: Variant::Plain }).unwrap();
 /// assert_eq!(values, [9.5]);
 /// ```
 #[derive(Clone, Debug)]
@@ -206,7 +231,7 @@ pub struct Program<C> {
     /// All constants, by their fingerprints.
     constants: BTreeMap<u64, Vec<Value>>,
     /// Operations without constants, by a key that tells them apart.
-    known: BTreeMap<(u8, u32, u32), Value>,
+    known: BTreeMap<(u8, u32, u32, u32), Value>,
 }
 
 impl<C: Constant> Default for Program<C> {
@@ -246,7 +271,7 @@ impl<C: Constant> Program<C> {
 
     /// A parameter, or a symbol of the program.
     pub fn input(&mut self, input: Input) -> Value {
-        self.unique((0, input.key(), 0), Operation::Input(input))
+        self.unique((0, input.key(), 0, 0), Operation::Input(input))
     }
 
     /// The symbol of this name, a coefficient that is known when the program is run.
@@ -266,7 +291,7 @@ impl<C: Constant> Program<C> {
         if self.is_zero(b) {
             return a;
         }
-        self.unique((1, a.0, b.0), Operation::Add(a, b))
+        self.unique((1, a.0, b.0, 0), Operation::Add(a, b))
     }
 
     /// a − b, where subtracting 0 is no operation.
@@ -277,7 +302,7 @@ impl<C: Constant> Program<C> {
         if self.is_zero(a) {
             return self.negate(b);
         }
-        self.unique((2, a.0, b.0), Operation::Subtract(a, b))
+        self.unique((2, a.0, b.0, 0), Operation::Subtract(a, b))
     }
 
     /// a · b, where multiplying by 1 or 0 is no operation.
@@ -288,7 +313,7 @@ impl<C: Constant> Program<C> {
         if self.is_one(b) || self.is_zero(a) {
             return a;
         }
-        self.unique((3, a.0, b.0), Operation::Multiply(a, b))
+        self.unique((3, a.0, b.0, 0), Operation::Multiply(a, b))
     }
 
     /// a / b, where dividing by 1 is no operation.
@@ -296,7 +321,7 @@ impl<C: Constant> Program<C> {
         if self.is_one(b) {
             return a;
         }
-        self.unique((4, a.0, b.0), Operation::Divide(a, b))
+        self.unique((4, a.0, b.0, 0), Operation::Divide(a, b))
     }
 
     /// −a
@@ -304,13 +329,32 @@ impl<C: Constant> Program<C> {
         match self.operations[a.index()] {
             Operation::Negate(b) => b,
             _ if self.is_zero(a) => a,
-            _ => self.unique((5, a.0, 0), Operation::Negate(a)),
+            Operation::Constant(ref constant) => {
+                let negated = constant.negated();
+                self.constant(negated)
+            }
+            _ => self.unique((5, a.0, 0, 0), Operation::Negate(a)),
         }
     }
 
     /// √a
     pub fn square_root(&mut self, a: Value) -> Value {
-        self.unique((6, a.0, 0), Operation::SquareRoot(a))
+        self.unique((6, a.0, 0, 0), Operation::SquareRoot(a))
+    }
+
+    /// a · b + c
+    pub fn multiply_add(&mut self, a: Value, b: Value, c: Value) -> Value {
+        self.unique((7, a.0, b.0, c.0), Operation::MultiplyAdd(a, b, c))
+    }
+
+    /// a where b > 0 and −a where b < 0
+    pub fn orient(&mut self, a: Value, b: Value) -> Value {
+        self.unique((8, a.0, b.0, 0), Operation::Orient(a, b))
+    }
+
+    /// The power of two that brings the largest of |a|, |b| and |c| to between 1 and 2.
+    pub fn scale(&mut self, a: Value, b: Value, c: Value) -> Value {
+        self.unique((9, a.0, b.0, c.0), Operation::Scale(a, b, c))
     }
 
     /// Gives `value` a name, if it has none and no other value has this one; names make text and code readable. Constants
@@ -333,6 +377,16 @@ impl<C: Constant> Program<C> {
     /// Adds a group of results.
     pub fn output(&mut self, name: &str, values: Vec<Value>) {
         self.outputs.push(Output { name: name.to_string(), values });
+    }
+
+    /// Gives the output `name` the values of the output `other`, which is no output by itself then; nothing changes if there is
+    /// no output `other`.
+    pub fn replace_output(&mut self, name: &str, other: &str) {
+        let Some(place) = self.outputs.iter().position(|output| output.name == other) else { return };
+        let Output { values, .. } = self.outputs.remove(place);
+        for output in self.outputs.iter_mut().filter(|output| output.name == name) {
+            output.values.clone_from(&values);
+        }
     }
 
     /// The operations of all values, each after its operands.
@@ -423,6 +477,9 @@ impl<C: Constant> Program<C> {
                 Operation::Divide(a, b) => Operation::Divide(a, b),
                 Operation::Negate(a) => Operation::Negate(a),
                 Operation::SquareRoot(a) => Operation::SquareRoot(a),
+                Operation::MultiplyAdd(a, b, c) => Operation::MultiplyAdd(a, b, c),
+                Operation::Orient(a, b) => Operation::Orient(a, b),
+                Operation::Scale(a, b, c) => Operation::Scale(a, b, c),
             })
         };
         let operations: Vec<Operation<D>> =
@@ -453,7 +510,7 @@ impl<C: Constant> Program<C> {
         matches!(self.operation(value), Operation::Constant(constant) if constant.is_one())
     }
 
-    fn unique(&mut self, key: (u8, u32, u32), operation: Operation<C>) -> Value {
+    fn unique(&mut self, key: (u8, u32, u32, u32), operation: Operation<C>) -> Value {
         if let Some(&value) = self.known.get(&key) {
             return value;
         }

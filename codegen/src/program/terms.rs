@@ -69,10 +69,17 @@ impl<C: Constant> Program<C> {
                 let (left, right) = (self.terms(a)?, self.terms(b)?);
                 Some(left.iter().flat_map(|a| right.iter().map(|b| a.times(b))).collect())
             }
+            Operation::MultiplyAdd(a, b, c) => {
+                let (left, right) = (self.terms(a)?, self.terms(b)?);
+                let products = left.iter().flat_map(|a| right.iter().map(|b| a.times(b)));
+                Some(products.chain(self.terms(c)?).collect())
+            }
             Operation::Constant(_)
             | Operation::Input(_)
             | Operation::Divide(..)
-            | Operation::SquareRoot(_) => None,
+            | Operation::SquareRoot(_)
+            | Operation::Orient(..)
+            | Operation::Scale(..) => None,
         }
     }
 }

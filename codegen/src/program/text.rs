@@ -82,6 +82,9 @@ impl<C: Constant + fmt::Display> Program<C> {
             Operation::Divide(a, b) => write!(f, "{} / {}", of(a), of(b)),
             Operation::Negate(a) => write!(f, "-{}", of(a)),
             Operation::SquareRoot(a) => write!(f, "sqrt({})", of(a)),
+            Operation::MultiplyAdd(a, b, c) => write!(f, "{} * {} + {}", of(a), of(b), of(c)),
+            Operation::Orient(a, b) => write!(f, "{} oriented by {}", of(a), of(b)),
+            Operation::Scale(a, b, c) => write!(f, "scale({}, {}, {})", of(a), of(b), of(c)),
         }
     }
 }

@@ -62,9 +62,11 @@ pub fn verify<C: Constant>(program: &Program<C>) -> Result<(), Fault> {
             Operation::Subtract(..) => Some(1),
             Operation::Multiply(..) => Some(2),
             Operation::Divide(..) => Some(3),
-            Operation::Negate(_) | Operation::SquareRoot(_) => Some(4),
+            Operation::Negate(_) | Operation::SquareRoot(_) | Operation::MultiplyAdd(..) => Some(4),
+            Operation::Orient(..) | Operation::Scale(..) => Some(4),
         };
-        let root = matches!(operation, Operation::SquareRoot(_));
+        // Kinds that share a number differ in this, or in the number of their operands.
+        let root = matches!(operation, Operation::SquareRoot(_) | Operation::Scale(..));
         if kind.is_some_and(|kind| !known.insert((kind, root, operands))) {
             return fault("it repeats an earlier operation");
         }

@@ -5,8 +5,9 @@ use std::fmt;
 use hodograph_algebra::{Poly, Variable, budget};
 
 use super::differentiate::Derivatives;
-use super::{Derived, outputs};
-use crate::program::{Arithmetic, Fault, Input, Interpreter, Program, Stage, verify};
+use super::normal::{self, Parts};
+use super::{Derived, curvature, outputs};
+use crate::program::{Arithmetic, Fault, Input, Interpreter, Program, Stage, Value, verify};
 
 /// The arithmetic of fractions of polynomials: a number is a numerator and a denominator.
 ///
@@ -93,6 +94,15 @@ impl Arithmetic<Poly> for Fractions {
     fn square_root(&self, _: &(Poly, Poly)) -> Option<(Poly, Poly)> {
         None
     }
+
+    /// The sign of a polynomial is that of no number.
+    fn orient(&self, _: &(Poly, Poly), _: &(Poly, Poly)) -> Option<(Poly, Poly)> {
+        None
+    }
+
+    fn scale(&self, _: &(Poly, Poly), _: &(Poly, Poly), _: &(Poly, Poly)) -> Option<(Poly, Poly)> {
+        None
+    }
 }
 
 /// How a program differs from what it should compute.
@@ -132,9 +142,18 @@ impl fmt::Display for Mismatch {
 
 impl std::error::Error for Mismatch {}
 
-/// Proves that `program` computes the surface `derived`: every output, as a rational function, is identical with it.
+/// Proves that `program` computes the surface `derived`: every output is what it should be.
 ///
-/// Constants are exact, so this proves the program before its constants are rounded; rounding then changes constants only.
+/// - The homogeneous coordinates, all forms of the point, and the conditions are, as rational functions, identical with what
+///   was derived.
+/// - The first derivatives are derivatives of the separated point, and the second ones derivatives of the first.
+/// - The unit normal N/ρ is identical with what was derived; where there is no root ρ, it consists of the operations of the
+///   unit vector of a direction that is identical with the derived one or is the vector product of the first derivatives. Where
+///   it is turned to one side, the value whose sign decides is identical with the derived factor.
+/// - The forms, curvatures, speeds and derivatives of the normal are the operations of their formulas on those values.
+///
+/// Constants are exact, so this proves the program before its constants are rounded; rounding then changes constants
+/// only.
 ///
 /// # Errors
 /// The first [`Mismatch`].
@@ -142,80 +161,135 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
     verify(program).map_err(Mismatch::Invalid)?;
     let [u, v] = derived.parameters;
     let [weight, coordinates @ ..] = derived.homogeneous;
-    let one = Poly::one();
-    let over = |polys: &[Poly], denominator: &Poly| -> Vec<(Poly, Poly)> {
-        polys.iter().map(|poly| (poly.clone(), denominator.clone())).collect()
-    };
-    let partial = |variable| -> Vec<(Poly, Poly)> {
-        let slope = weight.derivative(variable);
-        let numerator = |x: &Poly| x.derivative(variable) * weight - x * &slope;
-        coordinates.iter().map(|x| (numerator(x), weight * weight)).collect()
-    };
-    let mut expected = vec![
-        (outputs::HOMOGENEOUS, over(derived.homogeneous, &one)),
-        (outputs::POINT, over(coordinates, weight)),
-    ];
-    let crossed = program.results(outputs::CROSS_PRODUCT);
-    let normal = derived.normal.map_or(&[][..], |normal| normal.as_slice());
-    match derived.normal_root {
-        // The derivatives are proved; their product is built once more, which gives the same values.
-        _ if !crossed.is_empty() => {
-            let mut copy = program.clone();
-            super::schedule_cross_product(&mut copy);
-            let last = copy.outputs().last().map(|output| output.values.as_slice());
-            if last != Some(crossed) {
-                return Err(Mismatch::Differs { output: outputs::CROSS_PRODUCT.to_string(), place: 0 });
-            }
-        }
-        None => expected.push((outputs::NORMAL_DIRECTION, over(normal, &one))),
-        Some(root) => {
-            let square: Poly = normal.iter().map(|n| n * n).sum();
-            if square != root * root {
-                return Err(Mismatch::Root);
-            }
-            expected.push((outputs::UNIT_NORMAL, over(normal, root)));
-        }
-    }
-    if let Some(singular) = derived.singular.filter(|_| crossed.is_empty()) {
-        expected.push((outputs::SINGULAR, over(std::slice::from_ref(singular), &one)));
-    }
-    if !derived.conditions.is_empty() {
-        expected.push((outputs::CONDITIONS, over(derived.conditions, &one)));
-    }
     let symbol = |name: &String| Poly::variable(&Variable::new(Variable::SYMBOL, name));
     let symbols = program.symbols().iter().map(symbol).collect();
     let arithmetic = Fractions { u: Poly::variable(u), v: Poly::variable(v), symbols };
     let mut numbers = Interpreter::new(program, &arithmetic);
-    for (output, fractions) in expected {
-        doing(output, || check_output(&mut numbers, output, &fractions))?;
+    let one = Poly::one();
+    let mut expected = vec![
+        (outputs::HOMOGENEOUS, over(derived.homogeneous, &one)),
+        (outputs::POINT, over(coordinates, weight)),
+        (outputs::SEPARATED_POINT, over(coordinates, weight)),
+    ];
+    if !program.results(outputs::ACCURATE_POINT).is_empty() {
+        expected.push((outputs::ACCURATE_POINT, over(coordinates, weight)));
     }
-    // The point is proved now; most derivatives follow from it, term by term.
-    let point = program.results(outputs::POINT);
+    if !derived.conditions.is_empty() {
+        expected.push((outputs::CONDITIONS, over(derived.conditions, &one)));
+    }
+    for (output, fractions) in expected {
+        doing(output, || check_values(&mut numbers, output, program.results(output), &fractions))?;
+    }
+    doing(outputs::UNIT_NORMAL, || check_normal(&mut numbers, derived))?;
     let mut derivatives = Derivatives::new(numbers, &arithmetic);
-    for (output, variable, stage) in [(outputs::PARTIAL_U, u, Stage::U), (outputs::PARTIAL_V, v, Stage::V)] {
-        let found = program.results(output);
+    let (by_u, by_v) = ((u, Stage::U), (v, Stage::V));
+    for (output, of, parameters) in [
+        (outputs::PARTIAL_U, outputs::SEPARATED_POINT, &[by_u][..]),
+        (outputs::PARTIAL_V, outputs::SEPARATED_POINT, &[by_v]),
+        (outputs::PARTIAL_UU, outputs::PARTIAL_U, &[by_u, by_u]),
+        (outputs::PARTIAL_UV, outputs::PARTIAL_U, &[by_u, by_v]),
+        (outputs::PARTIAL_VV, outputs::PARTIAL_V, &[by_v, by_v]),
+    ] {
         doing(output, || {
+            let (found, point) = (program.results(output), program.results(of));
+            let last = parameters[parameters.len() - 1];
             let mut pairs = found.iter().zip(point);
-            let follows = pairs.all(|(&slope, &value)| derivatives.proves(slope, value, (variable, stage)));
+            let follows = pairs.all(|(&slope, &value)| derivatives.proves(slope, value, last));
             if follows && found.len() == point.len() {
                 return Ok(());
             }
-            check_output(derivatives.numbers(), output, &partial(variable))
+            let expected = partial(derived.homogeneous, parameters.iter().map(|(parameter, _)| *parameter));
+            check_values(derivatives.numbers(), output, found, &expected)
         })?;
     }
+    let mut copy = program.clone();
+    for (output, values) in curvature::of_patch(&mut copy) {
+        same(output, program.results(output), &values)?;
+    }
     Ok(())
+}
+
+/// The fractions p/d.
+fn over(polys: &[Poly], denominator: &Poly) -> Vec<(Poly, Poly)> {
+    polys.iter().map(|poly| (poly.clone(), denominator.clone())).collect()
+}
+
+/// The derivatives of X/W, Y/W and Z/W by the parameters in turn: (n/W^k)' = (n'·W − k·n·W')/W^(k+1).
+fn partial<'a>(
+    [weight, coordinates @ ..]: &[Poly; 4],
+    parameters: impl Iterator<Item = &'a Variable> + Clone,
+) -> Vec<(Poly, Poly)> {
+    let derivative = |coordinate: &Poly| {
+        let start = (coordinate.clone(), weight.clone());
+        (1..).zip(parameters.clone()).fold(start, |(numerator, denominator), (power, parameter)| {
+            let slope = Poly::integer(power) * &numerator * weight.derivative(parameter);
+            (numerator.derivative(parameter) * weight - slope, denominator * weight)
+        })
+    };
+    coordinates.iter().map(derivative).collect()
+}
+
+/// Proves the unit normal, whose derivatives need no proof before.
+fn check_normal(
+    numbers: &mut Interpreter<'_, Poly, Fractions>,
+    derived: &Derived<'_>,
+) -> Result<(), Mismatch> {
+    let (program, output) = (numbers.program(), outputs::UNIT_NORMAL);
+    let found = program.results(output);
+    let parts = normal::parts(program).filter(|_| found.len() == 3);
+    let Some(Parts { turned, side, direction }) = parts else {
+        return Err(Mismatch::Missing(output.to_string()));
+    };
+    let one = Poly::one();
+    let singular = derived.singular.filter(|_| derived.normal.is_some());
+    let sides: Vec<Value> = side.into_iter().collect();
+    check_values(
+        numbers,
+        output,
+        &sides,
+        &singular.map_or_else(Vec::new, |factor| over(std::slice::from_ref(factor), &one)),
+    )?;
+    let mut copy = program.clone();
+    let direction = match (derived.normal, derived.normal_root, direction) {
+        (Some(normal), Some(root), _) => {
+            let square: Poly = normal.iter().map(|n| n * n).sum();
+            if square != root * root {
+                return Err(Mismatch::Root);
+            }
+            return check_values(numbers, output, &turned, &over(normal, root));
+        }
+        (Some(normal), None, Some(direction)) => {
+            check_values(numbers, output, &direction, &over(normal, &one))?;
+            direction.to_vec()
+        }
+        (None, _, Some(_)) => normal::cross_product(&mut copy),
+        (_, _, None) => return Err(Mismatch::Missing(output.to_string())),
+    };
+    same(output, found, &normal::unit(&mut copy, &direction, side))
+}
+
+/// Whether an output has the very values that it should have.
+fn same(output: &str, found: &[Value], values: &[Value]) -> Result<(), Mismatch> {
+    if found.len() != values.len() {
+        return Err(Mismatch::Missing(output.to_string()));
+    }
+    match found.iter().zip(values).position(|(found, value)| found != value) {
+        Some(place) => Err(Mismatch::Differs { output: output.to_string(), place }),
+        None => Ok(()),
+    }
 }
 
 fn doing<T>(output: &str, work: impl FnOnce() -> T) -> T {
     budget::doing(format!("the proof of the evaluator's output `{output}`"), work)
 }
 
-fn check_output(
+/// Whether the results of an output are identical with fractions.
+fn check_values(
     numbers: &mut Interpreter<'_, Poly, Fractions>,
     output: &str,
+    results: &[Value],
     expected: &[(Poly, Poly)],
 ) -> Result<(), Mismatch> {
-    let results = numbers.program().results(output);
     if results.len() != expected.len() {
         return Err(Mismatch::Missing(output.to_string()));
     }

@@ -1,14 +1,18 @@
 //! Proof of derivatives without multiplying out: the terms of a derivative are those of the point, differentiated.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use hodograph_algebra::{Poly, Variable};
 
 use super::check::Fractions;
-use crate::program::{Arithmetic, Interpreter, Operation, Program, Stage, Term, Value};
+use super::letters::Letters;
+use crate::program::{Arithmetic, Interpreter, Operation, Stage, Term, Value};
 
 /// A program's numbers as fractions of polynomials.
-type Numbers<'a> = Interpreter<'a, Poly, Fractions>;
+pub(super) type Numbers<'a> = Interpreter<'a, Poly, Fractions>;
+
+/// A fraction of polynomials.
+pub(super) type Fraction = (Poly, Poly);
 
 /// The proof of derivatives of a program's values.
 pub(super) struct Derivatives<'a> {
@@ -16,6 +20,10 @@ pub(super) struct Derivatives<'a> {
     arithmetic: &'a Fractions,
     /// Which values need a division.
     divided: Vec<bool>,
+    /// What has been found about sums of products and their derivatives: the same ones occur in several coordinates.
+    known: BTreeMap<(Stage, [Vec<Product>; 2]), bool>,
+    /// Values that are proved to be the derivatives of others, or of these with the sign changed (`true`).
+    slopes: BTreeMap<(Stage, Value), (bool, Value)>,
 }
 
 impl<'a> Derivatives<'a> {
@@ -26,7 +34,7 @@ impl<'a> Derivatives<'a> {
             let inherited = operation.operands().iter().any(|operand| divided[operand.index()]);
             divided.push(inherited || matches!(operation, Operation::Divide(..)));
         }
-        Derivatives { numbers, arithmetic, divided }
+        Derivatives { numbers, arithmetic, divided, known: BTreeMap::new(), slopes: BTreeMap::new() }
     }
 
     /// The numbers that are known by now.
@@ -52,96 +60,118 @@ impl<'a> Derivatives<'a> {
         };
         // By the factors in the other parameter the products to be differentiated, then those found.
         let mut groups: BTreeMap<Vec<Value>, [Vec<Product>; 2]> = BTreeMap::new();
-        for (place, terms) in [terms, found].into_iter().enumerate() {
-            for term in terms {
-                let (product, other) = Product::of(term, stage);
-                groups.entry(other).or_default()[place].push(product);
+        let mut factors = BTreeSet::new();
+        for term in terms {
+            let (product, other) = Product::of(term, stage);
+            factors.extend(other.iter().copied());
+            groups.entry(other).or_default()[0].push(product);
+        }
+        for term in found {
+            let (product, other) = Product::of(term, stage);
+            match self.parts(&other, &factors) {
+                Some(parts) => {
+                    for (part, factor) in parts {
+                        groups.entry(vec![factor]).or_default()[1].push(product.times(part));
+                    }
+                }
+                None => groups.entry(other).or_default()[1].push(product),
             }
         }
-        groups.values().all(|group| {
-            self.by_rules(group, parameter) == Some(true)
-                || self.multiplied_out(group, parameter) == Some(true)
-        })
+        groups.into_values().all(|group| self.proves_group(group, parameter, stage))
+    }
+
+    /// A single value as a sum of products of `factors` and numbers, if it is not one of the factors itself: what no
+    /// longer depends on the parameter may have been added to one value.
+    fn parts(&self, values: &[Value], factors: &BTreeSet<Value>) -> Option<Vec<(Product, Value)>> {
+        let &[value] = values else { return None };
+        if factors.contains(&value) {
+            return Some(vec![(Product::default(), value)]);
+        }
+        let program = self.numbers.program();
+        let of = |value: Value| self.parts(&[value], factors);
+        let times = |parts: Vec<(Product, Value)>, factor: &Product| {
+            parts.into_iter().map(|(part, value)| (factor.times(part), value)).collect()
+        };
+        let minus = Product { negative: true, factors: Vec::new() };
+        match *program.operation(value) {
+            Operation::Add(a, b) => Some([of(a)?, of(b)?].concat()),
+            Operation::Subtract(a, b) => Some([of(a)?, times(of(b)?, &minus)].concat()),
+            Operation::Negate(a) => Some(times(of(a)?, &minus)),
+            Operation::Multiply(a, b) => {
+                let (number, other) = if program.stage(a) <= Stage::Symbols { (a, b) } else { (b, a) };
+                let number = (program.stage(number) <= Stage::Symbols).then_some(number)?;
+                Some(times(of(other)?, &Product { negative: false, factors: vec![number] }))
+            }
+            _ => None,
+        }
+    }
+
+    /// The same for products that have the same factors in the other parameter.
+    fn proves_group(&mut self, mut group: [Vec<Product>; 2], parameter: &Variable, stage: Stage) -> bool {
+        // Signs are relative to that of the first product.
+        if group.iter().flatten().next().is_some_and(|product| product.negative) {
+            group.iter_mut().flatten().for_each(|product| product.negative = !product.negative);
+        }
+        let key = (stage, group);
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
+        let group = &key.1;
+        let proved = self.by_rules(group, parameter, stage) == Some(true)
+            || self.multiplied_out(group, parameter) == Some(true);
+        if let ([value], [slope]) = (&*group[0], &*group[1]) {
+            // What needs no division is a letter itself.
+            if let (true, &[of], &[derivative]) = (proved, &*value.factors, &*slope.factors)
+                && self.divided[derivative.index()]
+            {
+                self.slopes.insert((stage, derivative), (value.negative != slope.negative, of));
+            }
+        }
+        self.known.insert(key, proved);
+        proved
     }
 
     /// Whether the sum of the derivatives of the first products is the sum of the second ones.
     fn multiplied_out(&mut self, group: &[Vec<Product>; 2], parameter: &Variable) -> Option<bool> {
-        let slope = |poly: &Poly| Some(poly.derivative(parameter));
-        let mut of = |value: Value| {
-            self.numbers.run(&[value]).ok()?;
-            self.numbers.number(value).ok().cloned()
-        };
-        difference_is_zero(group, self.arithmetic, &mut of, slope)
+        let arithmetic = self.arithmetic;
+        difference_is_zero(group, arithmetic, &mut MultipliedOut { numbers: &mut self.numbers, parameter })
     }
 
     /// The same with letters for polynomials; `None` where that tells nothing.
-    fn by_rules(&mut self, group: &[Vec<Product>; 2], parameter: &Variable) -> Option<bool> {
-        let program = self.numbers.program();
+    fn by_rules(&mut self, group: &[Vec<Product>; 2], parameter: &Variable, stage: Stage) -> Option<bool> {
         let mut values = Vec::new();
         for &factor in group.iter().flatten().flat_map(|product| &product.factors) {
-            self.collect_letters(factor, &mut values)?;
-        }
-        if values.len() > MOST_LETTERS {
-            return None;
+            self.collect_letters(factor, stage, &mut values)?;
         }
         self.numbers.run(&values).ok()?;
-        let poly =
-            |&value: &Value| self.numbers.number(value).ok().map(|(poly, _)| poly).filter(|p| !p.is_zero());
-        let polys: Vec<&Poly> = values.iter().map(poly).collect::<Option<_>>()?;
-        let letter = |place| Variable::new(0, &format!("letter{place}"));
-        let letters: Vec<Variable> = (0..values.len()).map(letter).collect();
-        // The derivative of each letter, if it is a multiple of a letter or a number.
-        let slope = |poly: &&Poly| {
-            let slope = poly.derivative(parameter);
-            if slope.is_constant() {
-                return Some(slope);
-            }
-            let multiple = |(&poly, letter)| Some(slope.number_quotient(poly)? * Poly::variable(letter));
-            polys.iter().zip(&letters).find_map(multiple)
-        };
-        let slopes: Vec<Option<Poly>> = polys.iter().map(slope).collect();
-        let differentiate = |poly: &Poly| -> Option<Poly> {
-            let mut sum = Poly::zero();
-            for (letter, slope) in letters.iter().zip(&slopes).filter(|(letter, _)| poly.contains(letter)) {
-                sum += poly.derivative(letter) * slope.as_ref()?;
-            }
-            Some(sum)
-        };
-        let arithmetic = self.arithmetic;
-        let mut of = |value: Value| {
-            in_letters(
-                program,
-                value,
-                &|value| {
-                    let place = values.iter().position(|known| *known == value)?;
-                    Some((Poly::variable(&letters[place]), Poly::one()))
-                },
-                arithmetic,
-            )
-        };
-        difference_is_zero(group, arithmetic, &mut of, differentiate)
+        let slopes = |value| self.slopes.get(&(stage, value)).copied();
+        let mut letters = Letters::new(&self.numbers, self.arithmetic, &values, parameter, &slopes)?;
+        difference_is_zero(group, self.arithmetic, &mut letters)
     }
 
-    /// Adds the largest parts of a value that need no division. Denominators must be such.
-    fn collect_letters(&self, value: Value, values: &mut Vec<Value>) -> Option<()> {
+    /// Adds the largest parts of a value that need no division. Denominators must be such. A derivative has the parts
+    /// of what it is the derivative of.
+    fn collect_letters(&self, value: Value, stage: Stage, values: &mut Vec<Value>) -> Option<()> {
         let operation = self.numbers.program().operation(value);
         match *operation {
             Operation::Constant(_) => {}
             _ if !self.divided[value.index()] => values.extend((!values.contains(&value)).then_some(value)),
+            _ if self.slopes.contains_key(&(stage, value)) => {
+                let (_, of) = self.slopes[&(stage, value)];
+                self.collect_letters(of, stage, values)?;
+            }
             Operation::Divide(_, denominator) if self.divided[denominator.index()] => return None,
             _ => operation
                 .operands()
                 .into_iter()
-                .try_for_each(|operand| self.collect_letters(operand, values))?,
+                .try_for_each(|operand| self.collect_letters(operand, stage, values))?,
         }
         Some(())
     }
 }
 
-/// With more letters than this, products are multiplied out.
-const MOST_LETTERS: usize = 10;
-
 /// Numbers and factors in one parameter that are multiplied.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Default)]
 struct Product {
     negative: bool,
     factors: Vec<Value>,
@@ -155,59 +185,70 @@ impl Product {
         (Product { negative: term.negative, factors: [term.numbers, own].concat() }, other)
     }
 
+    fn times(&self, other: Product) -> Product {
+        let factors = [self.factors.as_slice(), &other.factors].concat();
+        Product { negative: self.negative != other.negative, factors }
+    }
+
     /// The product, with a fraction for each factor.
-    fn fraction(
-        &self,
-        arithmetic: &Fractions,
-        mut of: impl FnMut(Value) -> Option<(Poly, Poly)>,
-    ) -> Option<(Poly, Poly)> {
+    fn fraction(&self, arithmetic: &Fractions, calculus: &mut impl Calculus) -> Option<Fraction> {
         let mut product = (Poly::one(), Poly::one());
         for &factor in &self.factors {
-            product = arithmetic.multiply(&product, &of(factor)?);
+            product = arithmetic.multiply(&product, &calculus.fraction(factor)?);
         }
         Some(if self.negative { arithmetic.negate(&product) } else { product })
     }
 }
 
-/// Whether Σ terms' − Σ found is zero: `of` gives the fraction of a factor, `slope` the derivative of a polynomial.
+/// What values and derivatives are as polynomials, of the parameters or of letters.
+pub(super) trait Calculus {
+    /// A value as a fraction.
+    fn fraction(&mut self, value: Value) -> Option<Fraction>;
+    /// The derivative of a polynomial by the parameter.
+    fn derivative(&mut self, poly: &Poly) -> Option<Poly>;
+
+    /// (n/d)' = (n'·d − n·d')/d²
+    fn derivative_of_fraction(&mut self, (numerator, denominator): &Fraction) -> Option<Fraction> {
+        if denominator.is_one() {
+            return Some((self.derivative(numerator)?, Poly::one()));
+        }
+        let change = self.derivative(numerator)? * denominator - numerator * self.derivative(denominator)?;
+        Some((change, denominator * denominator))
+    }
+}
+
+/// Values as fractions of polynomials of the parameters.
+struct MultipliedOut<'a, 'b> {
+    numbers: &'b mut Numbers<'a>,
+    parameter: &'b Variable,
+}
+
+impl Calculus for MultipliedOut<'_, '_> {
+    fn fraction(&mut self, value: Value) -> Option<Fraction> {
+        self.numbers.run(&[value]).ok()?;
+        self.numbers.number(value).ok().cloned()
+    }
+
+    fn derivative(&mut self, poly: &Poly) -> Option<Poly> {
+        Some(poly.derivative(self.parameter))
+    }
+}
+
+/// Whether Σ terms' − Σ found is zero.
 fn difference_is_zero(
     [terms, found]: &[Vec<Product>; 2],
     arithmetic: &Fractions,
-    of: &mut impl FnMut(Value) -> Option<(Poly, Poly)>,
-    slope: impl Fn(&Poly) -> Option<Poly>,
+    calculus: &mut impl Calculus,
 ) -> Option<bool> {
     let mut sum = (Poly::zero(), Poly::one());
     for product in terms {
-        let (numerator, denominator) = product.fraction(arithmetic, &mut *of)?;
-        let change = slope(&numerator)? * &denominator - &numerator * slope(&denominator)?;
-        sum = arithmetic.add(&sum, &(change, &denominator * &denominator));
+        let fraction = product.fraction(arithmetic, calculus)?;
+        sum = arithmetic.add(&sum, &calculus.derivative_of_fraction(&fraction)?);
     }
     for product in found {
-        sum = arithmetic.subtract(&sum, &product.fraction(arithmetic, &mut *of)?);
+        sum = arithmetic.subtract(&sum, &product.fraction(arithmetic, calculus)?);
     }
     Some(sum.0.is_zero())
-}
-
-/// A value as a fraction of polynomials in letters, which stand for some values.
-fn in_letters(
-    program: &Program<Poly>,
-    value: Value,
-    letter: &impl Fn(Value) -> Option<(Poly, Poly)>,
-    arithmetic: &Fractions,
-) -> Option<(Poly, Poly)> {
-    if let Some(letter) = letter(value) {
-        return Some(letter);
-    }
-    let of = |value: Value| in_letters(program, value, letter, arithmetic);
-    match *program.operation(value) {
-        Operation::Constant(ref constant) => Some(arithmetic.constant(constant)),
-        Operation::Add(a, b) => Some(arithmetic.add(&of(a)?, &of(b)?)),
-        Operation::Subtract(a, b) => Some(arithmetic.subtract(&of(a)?, &of(b)?)),
-        Operation::Multiply(a, b) => Some(arithmetic.multiply(&of(a)?, &of(b)?)),
-        Operation::Divide(a, b) => arithmetic.divide(&of(a)?, &of(b)?),
-        Operation::Negate(a) => Some(arithmetic.negate(&of(a)?)),
-        Operation::Input(_) | Operation::SquareRoot(_) => None,
-    }
 }
 
 #[cfg(test)]
@@ -244,7 +285,7 @@ mod tests {
             let mut proof = Derivatives::new(Interpreter::new(&program, &arithmetic), &arithmetic);
             let product = |factor| vec![Product { negative: false, factors: vec![factor] }];
             let group = [product(ratio), product(derivative)];
-            assert_eq!(proof.by_rules(&group, &u), Some(slope == 2));
+            assert_eq!(proof.by_rules(&group, &u, Stage::U), Some(slope == 2));
             assert_eq!(proof.multiplied_out(&group, &u), Some(slope == 2));
             assert_eq!(proof.proves(found, value, (&u, Stage::U)), slope == 2);
             assert!(!proof.proves(found, value, (&v, Stage::V)));

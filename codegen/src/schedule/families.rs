@@ -1,8 +1,8 @@
 //! Separation of polynomials whose coefficients have symbols.
 //!
-//! Over the field of fractions in the symbols the linear algebra of `separate.rs` would divide by large polynomials. But
-//! which basis f_1, …, f_r to take can be seen from members of the family: the symbols are replaced by numbers, a basis is
-//! found there, and then proved for the family by exact division. In this order, a basis is
+//! Over the field of fractions in the symbols the linear algebra of `separate.rs` would divide by large polynomials.
+//! But which basis f_1, …, f_r to take can be seen from members of the family: the symbols are replaced by numbers, a
+//! basis is found there, and then proved for the family by exact division. In this order, a basis is
 //!
 //! 1. made of polynomials that have names, and products of two of them;
 //! 2. what two members agree on, if the polynomials in u have no symbols that matter (a profile given by numbers);

@@ -37,7 +37,8 @@ impl Quotient {
         Quotient { numerator, denominator: Poly::one() }
     }
 
-    /// The derivative by `parameter`: (n'd − nd')/d², reduced. A denominator that is d or d² up to a number is scaled to it.
+    /// The derivative by `parameter`: (n'd − nd')/d², reduced. A denominator that is d or d² up to a number is scaled
+    /// to it.
     pub(super) fn derivative(&self, parameter: &Variable, preferred: &[Poly]) -> Quotient {
         let (n, d) = (&self.numerator, &self.denominator);
         if d.is_one() {

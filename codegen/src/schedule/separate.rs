@@ -1,11 +1,11 @@
 //! Exact separation of variables: the fewest terms f(u)·g(v) that several polynomials are sums of.
 //!
-//! Write the coefficients of the polynomials p_c = Σ m_{i,(c,j)} u^i v^j as one matrix with a row for each power of u and
-//! a column for each power of v of each polynomial. A factorization M = F·G through its rank r gives polynomials f_k(u)
-//! and g_{c,k}(v), k < r, with p_c = Σ_k f_k·g_{c,k}, and no fewer terms do. Which basis f_1, …, f_r of the column space is
-//! chosen decides what the terms cost. Polynomials that will be divided by a weight A(u)·B(v) get the basis that makes
-//! most of the quotients (f_k/A)·(g_{c,k}/B) simple: as many f_k as possible multiples of A, and their g_{c,k} multiples
-//! of B.
+//! Write the coefficients of the polynomials p_c = Σ m_{i,(c,j)} u^i v^j as one matrix with a row for each power of u
+//! and a column for each power of v of each polynomial. A factorization M = F·G through its rank r gives polynomials
+//! f_k(u) and g_{c,k}(v), k < r, with p_c = Σ_k f_k·g_{c,k}, and no fewer terms do. Which basis f_1, …, f_r of the
+//! column space is chosen decides what the terms cost. Polynomials that will be divided by a weight A(u)·B(v) get the
+//! basis that makes most of the quotients (f_k/A)·(g_{c,k}/B) simple: as many f_k as possible multiples of A, and
+//! their g_{c,k} multiples of B.
 
 use hodograph_algebra::{Poly, Variable};
 

@@ -4,7 +4,7 @@ use hodograph_algebra::{Poly, Rational, Variable, integer, ratio};
 use proptest::prelude::*;
 
 use super::{Derived, Fractions, Mismatch, ScheduleError, check, outputs, schedule};
-use crate::program::{Floats, Program, Stage, interpret};
+use crate::program::{Floats, Program, Stage, Variant, interpret};
 use crate::round::{exact, nearest, round};
 
 /// A surface with all that a schedule asks for.
@@ -174,7 +174,7 @@ fn sphere() -> Example {
         (&square + Poly::one(), Poly::integer(2) * pu, Poly::integer(2) * pv, square - Poly::one());
     Example {
         homogeneous: [weight.clone(), x.clone(), y.clone(), z.clone()],
-        normal: [x, y, z],
+        normal: [-x, -y, -z],
         root: Some(weight),
         singular: None,
         known: Vec::new(),
@@ -182,6 +182,19 @@ fn sphere() -> Example {
         u,
         v,
     }
+}
+
+/// Surfaces of all kinds.
+pub(crate) fn examples() -> [Example; 7] {
+    [
+        quintic_translation(),
+        bilinear(),
+        rotation(),
+        sphere(),
+        shifted_translation(20),
+        hermite_translation(),
+        offset_translation(),
+    ]
 }
 
 /// The program of an example, proved.
@@ -194,7 +207,7 @@ pub(crate) fn scheduled(example: &Example) -> Program<Poly> {
 #[test]
 fn other_sweeps_are_as_short() {
     let program = scheduled(&offset_translation());
-    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
+    assert_eq!(operations(&program, outputs::SEPARATED_POINT, Stage::Both), 4);
     let program = scheduled(&plane());
     assert_eq!(program.count_all(program.results(outputs::POINT)).total(), 0);
 }
@@ -217,11 +230,12 @@ fn operations(program: &Program<Poly>, output: &str, stage: Stage) -> usize {
 fn translations_take_four_operations_a_grid_point() {
     let example = quintic_translation();
     let program = scheduled(&example);
-    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
+    assert_eq!(operations(&program, outputs::SEPARATED_POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
+    assert_eq!(single.divisions, 1);
     // One reciprocal for each parameter.
-    assert_eq!(single.divisions, 2);
+    assert_eq!(program.count_all(program.results(outputs::SEPARATED_POINT)).divisions, 2);
     assert_eq!(operations(&program, outputs::UNIT_NORMAL, Stage::Both), 2);
 }
 
@@ -251,7 +265,7 @@ fn other_weights_and_singular_factors_are_scheduled() {
         assert_eq!(program.count_all(program.results(outputs::POINT)).divisions, 1);
     }
     let program = scheduled(&rotation());
-    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 2);
+    assert_eq!(operations(&program, outputs::SEPARATED_POINT, Stage::Both), 2);
 }
 
 /// The patch of Farouki & Nittler's Example 2, whose preimage lies in a field of degree 4.
@@ -277,7 +291,7 @@ fn radicals_stay_exact() {
     let end = |place: usize| example.known[place].1.at(&[(&example.v, &integer(1))]);
     assert_eq!([end(1), end(2)], [Poly::integer(2), Poly::integer(2)]);
     let program = scheduled(&example);
-    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
+    assert_eq!(operations(&program, outputs::SEPARATED_POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
 }
@@ -287,7 +301,7 @@ fn names_are_not_needed() {
     let mut example = hermite_translation();
     example.known.clear();
     let program = scheduled(&example);
-    assert_eq!(operations(&program, outputs::POINT, Stage::Both), 4);
+    assert_eq!(operations(&program, outputs::SEPARATED_POINT, Stage::Both), 4);
     let single = program.count_all(program.results(outputs::POINT));
     assert!(single.total() <= 60, "{single}");
 }
@@ -312,6 +326,17 @@ fn a_wrong_program_is_refused() {
     let mut root = quintic_translation();
     root.root = Some(Poly::integer(7));
     assert_eq!(check(&program, &root.derived()), Err(Mismatch::Root));
+    let mut turned = quintic_translation();
+    turned.normal[1] = -&turned.normal[1];
+    let normal = |place| Mismatch::Differs { output: outputs::UNIT_NORMAL.to_string(), place };
+    assert_eq!(check(&program, &turned.derived()), Err(normal(1)));
+    let (flat, mut turning) = (scheduled(&bilinear()), bilinear());
+    turning.singular = Some(Poly::one() + Poly::variable(&turning.u));
+    assert_eq!(check(&flat, &turning.derived()), Err(Mismatch::Missing(outputs::UNIT_NORMAL.to_string())));
+    let mut other = turning.derived();
+    let factor = Poly::variable(&turning.v);
+    other.singular = Some(&factor);
+    assert_eq!(check(&schedule(&other).unwrap(), &turning.derived()), Err(normal(0)));
     assert_eq!(
         check(&Program::new(), &right.derived()),
         Err(Mismatch::Missing(outputs::HOMOGENEOUS.to_string()))
@@ -341,7 +366,10 @@ fn largest_error(example: &Example, output: &str) -> f64 {
             .collect();
         let size = expected.iter().map(|x| nearest(x).unwrap().powi(2)).sum::<f64>().sqrt();
         for (found, expected) in
-            interpret(&floats, results, &Floats { u, v, symbols: &[] }).unwrap().iter().zip(&expected)
+            interpret(&floats, results, &Floats { u, v, symbols: &[], variant: Variant::Plain })
+                .unwrap()
+                .iter()
+                .zip(&expected)
         {
             let error = nearest(&(Poly::constant(exact(*found).unwrap()) - expected)).unwrap().abs();
             largest = largest.max(error / size * 2.0_f64.powi(53));
@@ -352,15 +380,14 @@ fn largest_error(example: &Example, output: &str) -> f64 {
 
 #[test]
 fn rounded_programs_are_accurate() {
-    for example in [
-        quintic_translation(),
-        bilinear(),
-        rotation(),
-        sphere(),
-        shifted_translation(20),
-        hermite_translation(),
-    ] {
-        for output in [outputs::HOMOGENEOUS, outputs::POINT, outputs::PARTIAL_U, outputs::PARTIAL_V] {
+    for example in examples() {
+        for output in [
+            outputs::HOMOGENEOUS,
+            outputs::POINT,
+            outputs::SEPARATED_POINT,
+            outputs::PARTIAL_U,
+            outputs::PARTIAL_V,
+        ] {
             let error = largest_error(&example, output);
             assert!(error < 16.0, "{output} is off by {error} units");
         }

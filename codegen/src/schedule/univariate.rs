@@ -1,14 +1,15 @@
 //! Evaluation of polynomials of one parameter, as operations of a program.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use hodograph_algebra::{Poly, Rational, Variable};
 
+use super::forms::{Preference, Range};
 use super::quotient::Quotient;
 use super::separate::Parameters;
-use crate::program::{Constant, Input, Operation, Program, Stage, Table, Value};
-use crate::round::{exact, nearest};
+use super::vector::split_sign;
+use crate::program::{Constant, Input, Program, Value};
 
 impl Constant for Poly {
     fn is_zero(&self) -> bool {
@@ -17,6 +18,10 @@ impl Constant for Poly {
 
     fn is_one(&self) -> bool {
         Poly::is_one(self)
+    }
+
+    fn negated(&self) -> Poly {
+        -self
     }
 
     /// That of a rational number; all others share one, since they may be written in several ways.
@@ -37,12 +42,18 @@ pub(super) struct Builder<'a> {
     pub(super) evaluated: Vec<(Poly, Value)>,
     /// Denominators that are divided by more than once.
     shared: Vec<Poly>,
-    /// For each parameter a place near the middle of its domain, and the distance to the domain's ends.
-    centers: [Option<Center>; 2],
+    /// Polynomials whose inverses are known, with these.
+    inverses: Vec<(Poly, Value)>,
+    /// The domains of the parameters.
+    pub(super) ranges: [Option<Range>; 2],
+    /// How polynomials of one parameter are evaluated.
+    pub(super) preference: Preference,
     /// How many polynomials of u and of v have been given a name here.
-    unnamed: [usize; 2],
-    /// Factors of the weight in u and in v, which are likely to be worth having in a basis for other polynomials too; used for
-    /// families, where no linear algebra finds such a basis.
+    pub(super) unnamed: [usize; 2],
+    /// The values of polynomials that are written out by their coefficients.
+    pub(super) written: BTreeSet<Value>,
+    /// Factors of the weight in u and in v, which are likely to be worth having in a basis for other polynomials too;
+    /// used for families, where no linear algebra finds such a basis.
     pub(super) hint: Option<(Poly, Poly)>,
     /// Polynomials in symbols alone that are evaluated, by a number that equal ones share.
     pub(super) numbers: BTreeMap<u64, Vec<(Poly, Value)>>,
@@ -53,15 +64,18 @@ impl<'a> Builder<'a> {
         parameters: &'a Parameters,
         known: &'a [(String, Poly)],
         domain: &[[Rational; 2]; 2],
+        preference: Preference,
     ) -> Builder<'a> {
-        let (program, centers) = (Program::new(), domain.each_ref().map(Center::of));
         Builder {
-            centers,
-            program,
+            ranges: domain.each_ref().map(Range::of),
+            preference,
+            written: BTreeSet::new(),
+            program: Program::new(),
             parameters,
             known,
             evaluated: Vec::new(),
             shared: Vec::new(),
+            inverses: Vec::new(),
             unnamed: [0, 0],
             hint: None,
             numbers: BTreeMap::new(),
@@ -91,39 +105,68 @@ impl<'a> Builder<'a> {
                     && other.numerator != quotient.numerator
                     && other.numerator != -&quotient.numerator
             };
-            if seen.iter().any(same) && !self.shared.contains(&quotient.denominator) {
-                self.shared.push(quotient.denominator.clone());
+            if seen.iter().any(same) {
+                self.share_denominator(&quotient.denominator);
             }
             seen.push(quotient);
+        }
+    }
+
+    /// Makes a denominator known, so that it is divided by once.
+    pub(super) fn share_denominator(&mut self, denominator: &Poly) {
+        if !self.shared.contains(denominator) {
+            self.shared.push(denominator.clone());
         }
     }
 
     /// The value of a quotient of polynomials of one parameter.
     pub(super) fn quotient(&mut self, quotient: &Quotient) -> Value {
         let numerator = self.polynomial(&quotient.numerator);
-        if quotient.denominator.is_one() {
+        if quotient.denominator.is_one() || quotient.is_zero() {
             return numerator;
         }
-        let denominator = self.polynomial(&quotient.denominator);
-        let (negative, magnitude) = self.split_sign(numerator);
+        let (negative, magnitude) = split_sign(&self.program, numerator);
         let value = if self.shared.contains(&quotient.denominator) {
-            let one = self.program.constant(Poly::one());
-            let reciprocal = self.program.divide(one, denominator);
-            if let Some(name) = self.program.name_of(denominator) {
-                let name = format!("{name}_inverse");
-                self.program.name(reciprocal, &name);
-            }
-            self.program.multiply(magnitude, reciprocal)
+            let inverse = self.inverse(&quotient.denominator);
+            self.program.multiply(magnitude, inverse)
         } else {
+            let denominator = self.polynomial(&quotient.denominator);
             self.program.divide(magnitude, denominator)
         };
-        if let (Some(above), Some(below)) =
-            (self.program.name_of(magnitude), self.program.name_of(denominator))
-        {
+        let denominator = self.evaluated.iter().find(|(known, _)| *known == quotient.denominator);
+        let below = denominator.and_then(|(_, value)| self.program.name_of(*value));
+        if let (Some(above), Some(below)) = (self.program.name_of(magnitude), below) {
             let name = format!("{above}_over_{below}");
             self.program.name(value, &name);
         }
         if negative { self.program.negate(value) } else { value }
+    }
+
+    /// The inverse of a polynomial of one parameter: a product of such inverses where these are known, else by a
+    /// division.
+    pub(super) fn inverse(&mut self, poly: &Poly) -> Value {
+        if let Some((_, value)) = self.inverses.iter().find(|(known, _)| known == poly) {
+            return *value;
+        }
+        let known = self.inverses.iter().rev().find_map(|(factor, value)| {
+            let cofactor = poly.exact_div(factor)?;
+            let (_, other) = self.inverses.iter().find(|(known, _)| *known == cofactor)?;
+            Some((*value, *other))
+        });
+        let value = match known {
+            Some((factor, cofactor)) => self.program.multiply(factor, cofactor),
+            None => {
+                let (one, value) = (self.program.constant(Poly::one()), self.polynomial(poly));
+                let inverse = self.program.divide(one, value);
+                if let Some(name) = self.program.name_of(value) {
+                    let name = format!("{name}_inverse");
+                    self.program.name(inverse, &name);
+                }
+                inverse
+            }
+        };
+        self.inverses.push((poly.clone(), value));
+        value
     }
 
     /// The value of a polynomial of at most one parameter.
@@ -158,7 +201,8 @@ impl<'a> Builder<'a> {
         let mut terms: Vec<(bool, Value)> = products
             .iter()
             .map(|&(a, b)| {
-                let ((minus_a, a), (minus_b, b)) = (self.split_sign(a), self.split_sign(b));
+                let ((minus_a, a), (minus_b, b)) =
+                    (split_sign(&self.program, a), split_sign(&self.program, b));
                 (minus_a != minus_b, self.program.multiply(a, b))
             })
             .collect();
@@ -171,21 +215,6 @@ impl<'a> Builder<'a> {
             (true, false) => (false, self.program.subtract(term, sum)),
         });
         if negative { self.program.negate(sum) } else { sum }
-    }
-
-    fn split_sign(&self, value: Value) -> (bool, Value) {
-        match *self.program.operation(value) {
-            Operation::Negate(a) => (true, a),
-            _ => (false, value),
-        }
-    }
-
-    fn center(&self, input: Input) -> Option<&Center> {
-        match input {
-            Input::U => self.centers[0].as_ref(),
-            Input::V => self.centers[1].as_ref(),
-            Input::Symbol(_) => None,
-        }
     }
 
     /// The parameter that occurs in `poly`, if one does.
@@ -238,23 +267,6 @@ impl<'a> Builder<'a> {
         value
     }
 
-    /// Horner's scheme around zero, or around the middle of the domain where that is more accurate.
-    fn evaluate(&mut self, poly: &Poly, variable: &Variable, input: Input, name: Option<&str>) -> Value {
-        let parameter = self.program.input(input);
-        let center = self.center(input).filter(|center| center.helps(poly, variable));
-        let (coefficients, base) = match center.map(|center| center.place.clone()) {
-            None => (poly.coefficients(variable), parameter),
-            Some(place) => {
-                let moved = poly.substitute(variable, &(Poly::variable(variable) + &place));
-                let place = self.program.constant(place);
-                (moved.coefficients(variable), self.program.subtract(parameter, place))
-            }
-        };
-        let value = self.horner(&coefficients, base);
-        self.describe(value, poly, &coefficients, name);
-        value
-    }
-
     /// A component of the hodograph of a curve whose preimage a + i·b is known: a² + b², ±(a² − b²) or ±2ab.
     ///
     /// Together σ, x' and y' take 6 operations more than a and b, whose degrees are half of theirs.
@@ -287,109 +299,4 @@ impl<'a> Builder<'a> {
         }
         None
     }
-
-    /// Horner's scheme for coefficients of powers of `parameter`, in the greatest power of the parameter that the polynomial is a polynomial of, after its least
-    /// power is taken out.
-    fn horner(&mut self, coefficients: &[Poly], parameter: Value) -> Value {
-        let lowest = coefficients.iter().position(|c| !c.is_zero()).unwrap_or(0);
-        let coefficients = &coefficients[lowest..];
-        let even = |step: &usize| {
-            coefficients.iter().enumerate().all(|(i, c)| i.is_multiple_of(*step) || c.is_zero())
-        };
-        let step = (1..=coefficients.len()).rev().find(even).unwrap_or(1);
-        let base = self.power(parameter, step);
-        let mut sum = self.program.constant(Poly::zero());
-        for coefficient in coefficients.iter().step_by(step).rev() {
-            let constant = self.number(coefficient);
-            sum = match self.program.operation(sum) {
-                // The leading coefficient −1 is a subtraction.
-                Operation::Constant(leading) if (-leading).is_one() => self.program.subtract(constant, base),
-                _ => {
-                    let product = self.program.multiply(sum, base);
-                    self.program.add(product, constant)
-                }
-            };
-        }
-        if lowest == 0 {
-            return sum;
-        }
-        let power = self.power(parameter, lowest);
-        self.program.multiply(sum, power)
-    }
-
-    /// `base` to a positive power, by squaring.
-    fn power(&mut self, base: Value, exponent: usize) -> Value {
-        if exponent <= 1 {
-            return base;
-        }
-        let half = self.power(base, exponent / 2);
-        let square = self.program.multiply(half, half);
-        if exponent.is_multiple_of(2) { square } else { self.program.multiply(square, base) }
-    }
-
-    /// Names the value of a polynomial that has a degree above 1, and keeps its coefficients together.
-    fn describe(&mut self, value: Value, poly: &Poly, coefficients: &[Poly], name: Option<&str>) {
-        if coefficients.len() < 3 {
-            return;
-        }
-        let name = name.map_or_else(
-            || {
-                let of_u = self.program.stage(value) == Stage::U;
-                let count = &mut self.unnamed[usize::from(!of_u)];
-                *count += 1;
-                format!("{}{count}", if of_u { 'p' } else { 'q' })
-            },
-            str::to_string,
-        );
-        self.program.name(value, &name);
-        let coefficients = coefficients.iter().map(|coefficient| self.number(coefficient)).collect();
-        self.program.table(Table { value, name, formula: poly.to_string(), coefficients });
-    }
-}
-
-/// A place near the middle of a parameter's domain; polynomials on a domain far from zero are evaluated around it.
-struct Center {
-    /// A number with a short binary expansion, so that it is exact as a float.
-    place: Poly,
-    /// The largest distance to a point of the domain.
-    reach: f64,
-    /// The largest magnitude of a point of the domain.
-    magnitude: f64,
-}
-
-impl Center {
-    /// How many times smaller the terms around the center must be, to be worth an operation and simple coefficients.
-    const GAIN: f64 = 8.0;
-
-    /// The center of a domain; `None` if it has none with an exact float.
-    fn of([first, last]: &[Rational; 2]) -> Option<Center> {
-        let float = |value: &Rational| nearest(&Poly::constant(value.clone())).ok();
-        let (start, end) = (float(first)?, float(last)?);
-        // The place is a multiple of a power of two of the size of a quarter of the domain.
-        let step = f64::from_bits(((end - start) / 4.0).to_bits() & !((1 << 52) - 1));
-        let place = ((start / 2.0 + end / 2.0) / step).round() * step;
-        let (reach, magnitude) = ((end - place).max(place - start), start.abs().max(end.abs()));
-        let exact = exact(place)?;
-        (step > 0.0 && reach.is_finite()).then(|| Center { place: Poly::constant(exact), reach, magnitude })
-    }
-
-    /// Whether the rounding errors of Horner's scheme are much smaller around the center than around zero.
-    ///
-    /// The errors are in proportion to Σ|c_i|·r^i for the largest distance r.
-    fn helps(&self, poly: &Poly, variable: &Variable) -> bool {
-        let moved = poly.substitute(variable, &(Poly::variable(variable) + &self.place));
-        match (terms(poly, variable, self.magnitude), terms(&moved, variable, self.reach)) {
-            (Some(here), Some(there)) => here > Center::GAIN * there,
-            _ => false,
-        }
-    }
-}
-
-/// Σ|c_i|·r^i
-fn terms(poly: &Poly, variable: &Variable, r: f64) -> Option<f64> {
-    let coefficients = poly.coefficients(variable);
-    coefficients
-        .iter()
-        .rev()
-        .try_fold(0.0, |sum, coefficient| Some(sum * r + nearest(coefficient).ok()?.abs()))
 }

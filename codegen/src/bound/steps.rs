@@ -1,0 +1,331 @@
+//! The operations of a program, run over intervals and errors at once.
+
+use super::affine::Affine;
+use super::cells::Cells;
+use super::constant::Constant;
+use super::dyadic::Dyadic;
+use super::format::{Error, Format, Rounds, Spread};
+use super::interval::Interval;
+use super::place::Place;
+use super::scale::{Degree, degrees};
+use super::{Reason, Rounding};
+use crate::program::{Input, Operation, Program, Stage, Value};
+
+/// A value's operation, with what can be told before any box is known.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Constant,
+    Input(Input),
+    Add { a: usize, b: usize, minus: bool },
+    Multiply { a: usize, b: usize, rounds: Rounds },
+    Divide { a: usize, b: usize },
+    Negate(usize),
+    SquareRoot { a: usize, squares: Squares },
+    MultiplyAdd { a: usize, b: usize, c: usize, rounds: Rounds },
+    Orient { a: usize, b: usize },
+    Scale([usize; 3]),
+}
+
+/// The values whose squares another value is the sum of, if it is one.
+#[derive(Clone, Copy, Default, Debug)]
+struct Squares {
+    parts: [usize; Squares::MOST],
+    count: usize,
+}
+
+impl Squares {
+    /// How many squares are looked for.
+    const MOST: usize = 3;
+
+    /// `None` if the value is no sum of so few squares, added in at most `depth` steps.
+    fn of(program: &Program<f64>, value: Value, depth: usize) -> Option<Squares> {
+        let depth = depth.checked_sub(1)?;
+        let (part, rest) = match *program.operation(value) {
+            Operation::Multiply(a, b) if a == b => (a, Squares::default()),
+            Operation::MultiplyAdd(a, b, c) if a == b => (a, Squares::of(program, c, depth)?),
+            Operation::Add(a, b) => {
+                let (first, second) = (Squares::of(program, a, depth)?, Squares::of(program, b, depth)?);
+                let mut sum = first;
+                for &part in &second.parts[..second.count] {
+                    sum = sum.with(part)?;
+                }
+                return Some(sum);
+            }
+            _ => return None,
+        };
+        rest.with(part.index())
+    }
+
+    fn with(mut self, part: usize) -> Option<Squares> {
+        *self.parts.get_mut(self.count)? = part;
+        self.count += 1;
+        Some(self)
+    }
+}
+
+/// A program that is ready to be run over boxes.
+pub(super) struct Steps {
+    steps: Vec<Step>,
+    stages: Vec<Stage>,
+    degrees: Vec<Degree>,
+    formats: Vec<Format>,
+    constants: Vec<Option<Constant>>,
+}
+
+impl Steps {
+    pub(super) fn new(
+        program: &Program<f64>,
+        constants: Vec<Option<Constant>>,
+        roundings: &[Rounding],
+    ) -> Steps {
+        let power = |value: usize| -> Option<i32> {
+            let Operation::Constant(constant) = &program.operations()[value] else { return None };
+            // Below 2^64 they are the same in both formats.
+            Dyadic::of(*constant)?.as_power_of_two().filter(|power| (-64..64).contains(power))
+        };
+        let is_scale = |value: usize| matches!(program.operations()[value], Operation::Scale(..));
+        let rounds = |a: usize, b: usize| match power(a).or(power(b)) {
+            Some(0..) => Rounds::Exactly,
+            Some(_) => Rounds::WhereSubnormal,
+            None if is_scale(a) || is_scale(b) => Rounds::WhereSubnormal,
+            None => Rounds::Product,
+        };
+        let step = |operation: &Operation<f64>| match *operation {
+            Operation::Constant(_) => Step::Constant,
+            Operation::Input(input) => Step::Input(input),
+            Operation::Add(a, b) => Step::Add { a: a.index(), b: b.index(), minus: false },
+            Operation::Subtract(a, b) => Step::Add { a: a.index(), b: b.index(), minus: true },
+            Operation::Multiply(a, b) => {
+                let (a, b) = (a.index(), b.index());
+                Step::Multiply { a, b, rounds: rounds(a, b) }
+            }
+            Operation::Divide(a, b) => Step::Divide { a: a.index(), b: b.index() },
+            Operation::Negate(a) => Step::Negate(a.index()),
+            Operation::SquareRoot(a) => Step::SquareRoot {
+                a: a.index(),
+                squares: Squares::of(program, a, Squares::MOST).unwrap_or_default(),
+            },
+            Operation::MultiplyAdd(a, b, c) => {
+                let (a, b, c) = (a.index(), b.index(), c.index());
+                Step::MultiplyAdd { a, b, c, rounds: rounds(a, b) }
+            }
+            Operation::Orient(a, b) => Step::Orient { a: a.index(), b: b.index() },
+            Operation::Scale(a, b, c) => Step::Scale([a.index(), b.index(), c.index()]),
+        };
+        Steps {
+            steps: program.operations().iter().map(step).collect(),
+            stages: program.values().map(|value| program.stage(value)).collect(),
+            degrees: degrees(program),
+            formats: roundings.iter().map(|&rounding| Format::new(rounding)).collect(),
+            constants,
+        }
+    }
+
+    /// What it costs to run so many values, in units of work.
+    pub(super) fn price(&self, values: usize) -> u64 {
+        (values * (2 + 3 * self.formats.len())) as u64
+    }
+
+    /// The cells of some values, with the best errors that can be told from them.
+    pub(super) fn best(&self, cells: &Cells, values: &[usize]) -> Cells {
+        let mut best = cells.of(values);
+        for value in 0..values.len() {
+            let Some(place) = best.place(value).copied() else { continue };
+            for (k, format) in self.formats.iter().enumerate() {
+                let error = format.lessened(&place, best.error(value, k));
+                if error.is_known {
+                    best.set_error(value, k, format.best(&place, &error));
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether the value is a multiple of a power of a scale other than the power 0.
+    pub(super) fn is_scaled(&self, value: usize) -> bool {
+        self.degrees[value].scale().is_some()
+    }
+
+    pub(super) fn formats(&self) -> &[Format] {
+        &self.formats
+    }
+
+    pub(super) fn stage(&self, value: usize) -> Stage {
+        self.stages[value]
+    }
+
+    /// Cells of all values, of which nothing is known yet.
+    pub(super) fn cells(&self) -> Cells {
+        Cells::new(self.steps.len(), self.formats.len())
+    }
+
+    /// Computes the cell of `value` from those of its operands, on a box with these intervals of u and v.
+    pub(super) fn run(&self, value: usize, inputs: &[Interval; 2], cells: &mut Cells) {
+        let step = self.steps[value];
+        let place = match self.degrees[value].is_homogeneous() {
+            true => self.place(step, value, inputs, cells),
+            false => None,
+        };
+        let Some(place) = place else { return cells.forget(value) };
+        cells.set_place(value, Some(place));
+        if let Step::Scale(operands) = step {
+            return self.run_scale(value, operands, cells);
+        }
+        let spread = self.spread(value, cells);
+        let product = match step {
+            // It is needed by itself.
+            Step::MultiplyAdd { a, b, .. } => self.product(a, b, cells).unwrap_or(place),
+            _ => place,
+        };
+        let mut k = 0;
+        while k < self.formats.len() {
+            let error = self.error(step, value, k, cells, &place, &product, spread);
+            cells.set_error(value, k, error.unwrap_or(Error::UNKNOWN));
+            k += 1;
+        }
+    }
+
+    /// The error of `value` in a format, at its `place` and with that of its `product`.
+    #[expect(clippy::too_many_arguments, reason = "it is one part of `run`")]
+    fn error(
+        &self,
+        step: Step,
+        value: usize,
+        k: usize,
+        cells: &Cells,
+        place: &Place,
+        product: &Place,
+        spread: Spread,
+    ) -> Option<Error> {
+        let format = &self.formats[k];
+        Some(match step {
+            Step::Constant => format.constant(place, self.constants[value].as_ref()?.error(k)?),
+            Step::Input(_) | Step::Scale(_) => Error::NONE,
+            Step::Add { a, b, minus } => {
+                let (left, right) = ((cells.place(a)?, cells.error(a, k)), cells.error(b, k));
+                let b = cells.place(b)?;
+                if minus {
+                    format.sum(left, (&b.negated(), right), place, spread)
+                } else {
+                    format.sum(left, (b, right), place, spread)
+                }
+            }
+            Step::Multiply { a, b, rounds } => {
+                let (left, right) =
+                    ((cells.place(a)?, cells.error(a, k)), (cells.place(b)?, cells.error(b, k)));
+                format.product(left, right, place, rounds, spread)
+            }
+            Step::Divide { a, b } => {
+                format.quotient(cells.error(a, k), (cells.place(b)?, cells.error(b, k)), place, spread)
+            }
+            Step::Negate(a) => *cells.error(a, k),
+            Step::SquareRoot { a, squares } => {
+                let root = format.root((cells.place(a)?, cells.error(a, k)), place, spread);
+                if squares.count == 0 {
+                    return Some(root);
+                }
+                let mut parts = [(place, &Error::NONE); Squares::MOST];
+                for (part, &value) in parts.iter_mut().zip(&squares.parts[..squares.count]) {
+                    *part = (cells.place(value)?, cells.error(value, k));
+                }
+                format.better(&root, &format.norm(&parts[..squares.count], place, spread))
+            }
+            Step::MultiplyAdd { a, b, c, rounds } => {
+                let operands = [
+                    (cells.place(a)?, cells.error(a, k)),
+                    (cells.place(b)?, cells.error(b, k)),
+                    (cells.place(c)?, cells.error(c, k)),
+                ];
+                format.product_and_sum(operands, product, place, rounds, spread)
+            }
+            Step::Orient { a, b } => match format.is_certain((cells.place(b)?, cells.error(b, k))) {
+                true => *cells.error(a, k),
+                false => Error::UNKNOWN,
+            },
+        })
+    }
+
+    /// A scale counts as 1; its spread is what it may be in any of the formats.
+    fn run_scale(&self, value: usize, operands: [usize; 3], cells: &mut Cells) {
+        let mut spread: Option<Spread> = None;
+        for (k, format) in self.formats.iter().enumerate() {
+            let scales = || -> Option<Spread> {
+                let (mut least, mut largest) = (Dyadic::ZERO, Dyadic::ZERO);
+                for operand in operands {
+                    let (place, error) = (cells.place(operand)?, cells.error(operand, k));
+                    if !error.is_known {
+                        return None;
+                    }
+                    least = least.max(-error.absolute.plus(-place.least));
+                    largest = largest.max(place.largest.plus(error.absolute));
+                }
+                format.scales(least, largest)
+            };
+            let scales = scales();
+            if let Some(found) = scales {
+                let known = spread.unwrap_or(found);
+                spread = Some((known.0.min(found.0), known.1.max(found.1)));
+            }
+            cells.set_error(value, k, if scales.is_some() { Error::NONE } else { Error::UNKNOWN });
+        }
+        cells.set_spread(value, spread.unwrap_or((0, 0)));
+    }
+
+    /// The exact values of a·b.
+    fn product(&self, a: usize, b: usize, cells: &Cells) -> Option<Place> {
+        let first = cells.place(a)?;
+        Some(if a == b { first.square() } else { first.times(cells.place(b)?) })
+    }
+
+    /// The exact values of `value`.
+    fn place(&self, step: Step, value: usize, inputs: &[Interval; 2], cells: &Cells) -> Option<Place> {
+        let place = match step {
+            Step::Constant => Place::of(&self.constants[value].as_ref()?.range()),
+            Step::Input(Input::U) => Place::new(&inputs[0], Affine::parameter(&inputs[0], true)),
+            Step::Input(Input::V) => Place::new(&inputs[1], Affine::parameter(&inputs[1], false)),
+            Step::Input(Input::Symbol(_)) => return None,
+            Step::Add { a, b, minus: false } => cells.place(a)?.plus(cells.place(b)?),
+            Step::Add { a, b, minus: true } => cells.place(a)?.plus(&cells.place(b)?.negated()),
+            Step::Multiply { a, b, .. } => self.product(a, b, cells)?,
+            Step::Divide { a, b } => cells.place(a)?.over(cells.place(b)?)?,
+            Step::Negate(a) => return Some(cells.place(a)?.negated()),
+            Step::SquareRoot { a, .. } => cells.place(a)?.root()?,
+            Step::MultiplyAdd { a, b, c, .. } => self.product(a, b, cells)?.plus(cells.place(c)?),
+            Step::Orient { a, b } => match cells.place(b)?.range {
+                by if by.lower.is_positive() => return cells.place(a).copied(),
+                by if by.upper.is_negative() => return Some(cells.place(a)?.negated()),
+                _ => return None,
+            },
+            Step::Scale(_) => Place::of(&Interval::point(Dyadic::ONE)),
+        };
+        // What is far beyond all formats is not computed with.
+        if place.largest.magnitude() < 2048 { Some(place) } else { None }
+    }
+
+    /// By which powers of two the computed value is scaled.
+    fn spread(&self, value: usize, cells: &Cells) -> Spread {
+        match self.degrees[value].scale() {
+            None => (0, 0),
+            Some((scale, degree)) => {
+                let (low, high) = cells.spread(scale);
+                let ends = (low * degree, high * degree);
+                (ends.0.min(ends.1), ends.0.max(ends.1))
+            }
+        }
+    }
+
+    /// Why `value` has no bound, although its operands have.
+    pub(super) fn reason(&self, value: usize) -> Reason {
+        if !self.degrees[value].is_homogeneous() {
+            return Reason::Scale;
+        }
+        match self.steps[value] {
+            Step::Input(_) => Reason::Symbol,
+            Step::Divide { .. } => Reason::Denominator,
+            Step::SquareRoot { .. } => Reason::Radicand,
+            Step::Orient { .. } => Reason::Sign,
+            Step::Scale(_) => Reason::Direction,
+            _ => Reason::Overflow,
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! What is said of a surface in its documentation: formula, degrees, domain, costs and bounds.
+
+use super::Artifact;
+use super::task::TASKS;
+use crate::bound::{Reason, Unbounded};
+use crate::program::{OperationCounts, Stage, Value};
+use crate::proofs::Proofs;
+
+/// The lines of the documentation of a surface, in Markdown.
+pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
+    let mut lines: Vec<String> = artifact.documentation.clone();
+    if lines.is_empty() {
+        lines.push(format!("The surface `{}`.", artifact.name));
+    }
+    lines.extend([String::new(), "```text".to_string()]);
+    lines.extend(artifact.formula.lines().map(str::to_string));
+    lines.extend(["```".to_string(), String::new()]);
+    if let Some(source) = &artifact.source {
+        lines.extend([format!("Source: `{}`.", source.replace('`', "'")), String::new()]);
+    }
+    let (m, n) = artifact.degree;
+    let [w, x, y, z] = artifact.coordinate_degrees.map(|(m, n)| format!("({m}, {n})"));
+    let [[u_first, u_last], [v_first, v_last]] = artifact.domain;
+    lines.push(format!("- Degree ({m}, {n}): W {w}, X {x}, Y {y}, Z {z}."));
+    lines.push(format!("- Domain: u from {u_first:?} to {u_last:?}, v from {v_first:?} to {v_last:?}."));
+    if !artifact.symbols.is_empty() {
+        let program = &artifact.program;
+        let all: Vec<Value> = program.outputs().iter().flat_map(|output| output.values.clone()).collect();
+        let once = program.count(&all, Stage::Symbols);
+        lines.push(format!("- A family: each member computes its coefficients once, in {once}."));
+        lines.push("- The degrees are those of a general member.".to_string());
+    }
+    if let Some(proofs) = &artifact.proofs {
+        lines.extend(proofs.certificates.iter().map(|line| format!("- {line}")));
+        let boundless = proofs.bounds.iter().filter_map(|bound| Some((bound.name, bound.failure.as_ref()?)));
+        lines.extend(boundless.map(|(name, failure)| {
+            format!("- No bound for the error of {}: {}.", words(name), place(failure))
+        }));
+    }
+    lines.extend(costs(artifact));
+    lines.extend(artifact.proofs.as_ref().map(bounds).unwrap_or_default());
+    lines
+}
+
+fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+/// Where and why something has no bound.
+fn place(failure: &Unbounded) -> String {
+    let [[u0, u1], [v0, v1]] = failure.place;
+    let why = match failure.reason {
+        Reason::Denominator => "a denominator may vanish",
+        Reason::Radicand => "a radicand may vanish",
+        Reason::Sign => "a factor changes its sign",
+        Reason::Direction => "a direction may vanish",
+        Reason::Overflow => "numbers may overflow",
+        _ => "it is not known",
+    };
+    format!("{why} near u in {u0:?} to {u1:?}, v in {v0:?} to {v1:?}")
+}
+
+/// The table of bounds.
+fn bounds(proofs: &Proofs) -> Vec<String> {
+    let number = |number: f64| if number.is_finite() { format!("{number:e}") } else { "–".to_string() };
+    let mut lines = vec![
+        String::new(),
+        "| error at most | `f64` plain | fused | `f32` plain | fused | size at least | relative, `f64` plain |".to_string(),
+        "| --- | --- | --- | --- | --- | --- | --- |".to_string(),
+    ];
+    for bound in proofs.bounds.iter().filter(|bound| bound.errors.iter().any(|error| error.is_finite())) {
+        let errors = bound.errors.map(number).join(" | ");
+        let relative: Vec<String> =
+            bound.relative_errors_of_results.iter().map(|&error| number(error)).collect();
+        let (name, relative) = (words(bound.name), relative.join(", "));
+        lines.push(format!("| {name} | {errors} | {} | {relative} |", number(bound.size)));
+    }
+    lines
+}
+
+/// The table of operations.
+fn costs(artifact: &Artifact) -> Vec<String> {
+    let program = &artifact.program;
+    let short = |counts: OperationCounts| {
+        let kinds = [
+            (counts.additions, "+"),
+            (counts.multiplications, "×"),
+            (counts.divisions, "÷"),
+            (counts.square_roots, "√"),
+        ];
+        let kinds = kinds.iter().filter(|(count, _)| *count > 0);
+        let parts: Vec<String> = kinds.map(|(count, sign)| format!("{count} {sign}")).collect();
+        if parts.is_empty() { "none".to_string() } else { parts.join(", ") }
+    };
+    let mut lines = vec![
+        String::new(),
+        "| operations | at one place | on a grid for each v | for each u | for each point |".to_string(),
+        "| --- | --- | --- | --- | --- |".to_string(),
+    ];
+    for task in &TASKS {
+        let results = task.results(program);
+        let all = program.count_all(&results);
+        let [v, u, both] =
+            [Stage::V, Stage::U, Stage::Both].map(|stage| short(program.count(&results, stage)));
+        let total = format!("{}: {}", all.total(), short(all));
+        lines.push(format!("| {} | {total} | {v} | {u} | {both} |", task.text));
+    }
+    lines
+}

@@ -1,0 +1,74 @@
+//! Tasks: what evaluators compute in one pass.
+
+use crate::program::{Program, Value};
+use crate::schedule::outputs;
+
+/// Several outputs of a program that are evaluated together.
+#[derive(Clone, Copy, Debug)]
+pub struct Task {
+    /// The name of the runtime's type for it.
+    pub name: &'static str,
+    /// What it computes, for documentation.
+    pub text: &'static str,
+    /// The outputs, in order.
+    pub outputs: &'static [&'static str],
+}
+
+/// All tasks, in the order of documentation.
+pub const TASKS: [Task; 7] = [
+    Task { name: "Homogeneous", text: "homogeneous coordinates", outputs: &[outputs::HOMOGENEOUS] },
+    Task { name: "Point", text: "point", outputs: &[outputs::POINT] },
+    Task { name: "Separated", text: "point, separated", outputs: &[outputs::SEPARATED_POINT] },
+    Task {
+        name: "First",
+        text: "point and first derivatives",
+        outputs: &[outputs::SEPARATED_POINT, outputs::PARTIAL_U, outputs::PARTIAL_V],
+    },
+    Task {
+        name: "Second",
+        text: "point, first and second derivatives",
+        outputs: &[
+            outputs::SEPARATED_POINT,
+            outputs::PARTIAL_U,
+            outputs::PARTIAL_V,
+            outputs::PARTIAL_UU,
+            outputs::PARTIAL_UV,
+            outputs::PARTIAL_VV,
+        ],
+    },
+    Task { name: "Normal", text: "unit normal", outputs: &[outputs::UNIT_NORMAL] },
+    Task {
+        name: "Local",
+        text: "everything: derivatives, normal, fundamental forms, curvatures",
+        outputs: &[
+            outputs::SEPARATED_POINT,
+            outputs::PARTIAL_U,
+            outputs::PARTIAL_V,
+            outputs::PARTIAL_UU,
+            outputs::PARTIAL_UV,
+            outputs::PARTIAL_VV,
+            outputs::UNIT_NORMAL,
+            outputs::FIRST_FORM,
+            outputs::SECOND_FORM,
+            outputs::GAUSSIAN,
+            outputs::MEAN,
+            outputs::PRINCIPAL,
+            outputs::SPEEDS,
+            outputs::NORMAL_U,
+            outputs::NORMAL_V,
+        ],
+    },
+];
+
+impl Task {
+    /// The values that it computes, in order.
+    #[must_use]
+    pub fn results<C: crate::program::Constant>(&self, program: &Program<C>) -> Vec<Value> {
+        self.outputs.iter().flat_map(|output| program.results(output).to_vec()).collect()
+    }
+}
+
+/// The values that evaluators compute.
+pub(super) fn all_results(program: &Program<f64>) -> Vec<Value> {
+    TASKS.iter().flat_map(|task| task.results(program)).collect()
+}

@@ -1,0 +1,203 @@
+//! What is proved of a surface's evaluators, in the form in which it is emitted.
+
+use hodograph_algebra::{BoxSign, Essentials, Poly, Rational, Variable, budget};
+
+use crate::bound::{Proof, Rounding, Unbounded, prove};
+use crate::program::Program;
+use crate::round::exact;
+use crate::schedule::outputs;
+
+/// The outputs that have bounds, in the order of the runtime's struct.
+pub const BOUNDED: [&str; 17] = [
+    outputs::HOMOGENEOUS,
+    outputs::POINT,
+    outputs::SEPARATED_POINT,
+    outputs::PARTIAL_U,
+    outputs::PARTIAL_V,
+    outputs::PARTIAL_UU,
+    outputs::PARTIAL_UV,
+    outputs::PARTIAL_VV,
+    outputs::UNIT_NORMAL,
+    outputs::FIRST_FORM,
+    outputs::SECOND_FORM,
+    outputs::GAUSSIAN,
+    outputs::MEAN,
+    outputs::PRINCIPAL,
+    outputs::SPEEDS,
+    outputs::NORMAL_U,
+    outputs::NORMAL_V,
+];
+
+/// The bounds of an output: the largest of its results, in each of [`Rounding::ALL`].
+#[derive(Clone, PartialEq, Debug)]
+pub struct OutputBound {
+    /// The name of the output.
+    pub name: &'static str,
+    /// |computed − exact| is at most this; infinite where nothing is proved.
+    pub errors: [f64; 4],
+    /// The same divided by |exact|, for every result.
+    pub relative_errors: [f64; 4],
+    /// The same for each result by itself, in double precision and the plain variant.
+    pub relative_errors_of_results: Vec<f64>,
+    /// A result has somewhere at least this magnitude.
+    pub size: f64,
+    /// Why there is no bound.
+    pub failure: Option<Unbounded>,
+}
+
+/// What is proved of a surface, with numbers rounded up to three digits.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Proofs {
+    /// A bound for each of [`BOUNDED`].
+    pub bounds: Vec<OutputBound>,
+    /// Sentences on poles and singular points.
+    pub certificates: Vec<String>,
+}
+
+/// Proves bounds for a program over the domain of the surface, and where the surface has neither poles nor singular points.
+pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: &Program<f64>) -> Proofs {
+    let domain = derivation.domain.each_ref().map(|interval| hull(interval.lower(), interval.upper()));
+    let Ok(proofs) = prove(program, rounded, &domain, &Rounding::ALL) else {
+        unreachable!("one program is the other one rounded")
+    };
+    let bounds: Vec<OutputBound> = BOUNDED.iter().map(|name| output_bound(name, &proofs)).collect();
+    let certificates = certificates(derivation, &bounds);
+    Proofs { bounds, certificates }
+}
+
+/// The bounds of one output, from the proofs for all roundings.
+#[must_use]
+pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
+    let mut bound = OutputBound {
+        name,
+        errors: [f64::INFINITY; 4],
+        relative_errors: [f64::INFINITY; 4],
+        relative_errors_of_results: Vec::new(),
+        size: proofs.first().map_or(0.0, |proof| rounded_down(proof.attained(name))),
+        failure: None,
+    };
+    for (place, proof) in proofs.iter().enumerate() {
+        match proof.error(name) {
+            Ok(error) => bound.errors[place] = rounded_up(error),
+            Err(failure) => bound.failure = Some(failure),
+        }
+        let relative = |result: &Result<crate::bound::ValueBound, Unbounded>| {
+            let relative = result.as_ref().ok().and_then(|bound| bound.relative);
+            // What comes from underflow is no matter of a factor.
+            relative
+                .filter(|relative| relative.underflow == 0.0)
+                .map_or(f64::INFINITY, |relative| relative.factor)
+        };
+        let all: Vec<f64> = proof.output(name).iter().map(relative).collect();
+        bound.relative_errors[place] =
+            all.iter().fold(0.0, |largest: f64, &error| largest.max(rounded_up(error)));
+        if place == 0 {
+            bound.relative_errors_of_results = all.into_iter().map(rounded_up).collect();
+        }
+    }
+    bound
+}
+
+/// The interval of rationals that holds the given ends and the floats next to them, in both precisions.
+fn hull(lower: &Poly, upper: &Poly) -> [Rational; 2] {
+    let ends = |end: &Poly| {
+        let enclosure = end.enclosure(64);
+        let mut ends = vec![enclosure.lower().clone(), enclosure.upper().clone()];
+        if let Ok(double) = crate::round::nearest(end) {
+            ends.extend(exact(double));
+            ends.extend(exact(f64::from(double as f32)));
+        }
+        ends
+    };
+    let least = ends(lower).into_iter().min().unwrap_or_default();
+    let most = ends(upper).into_iter().max().unwrap_or_default();
+    [least, most]
+}
+
+/// The least number of three digits that is not below a float that is not negative.
+fn rounded_up(number: f64) -> f64 {
+    if number == 0.0 || !number.is_finite() {
+        return number;
+    }
+    let mut text = format!("{number:.2e}");
+    loop {
+        let Some(rounded) = text.parse::<f64>().ok().filter(|_| text.contains('e')) else {
+            return f64::INFINITY;
+        };
+        if rounded >= number {
+            return rounded;
+        }
+        // One more in the last digit.
+        let Some((digits, exponent)) = text.split_once('e') else { return f64::INFINITY };
+        let Ok(digits) = digits.replace('.', "").parse::<u32>() else { return f64::INFINITY };
+        text = format!("{}.{:02}e{exponent}", (digits + 1) / 100, (digits + 1) % 100);
+    }
+}
+
+/// A number of three digits that is not above a float that is not negative.
+fn rounded_down(number: f64) -> f64 {
+    let up = rounded_up(number);
+    if up <= number {
+        return up;
+    }
+    let Ok(rounded) = format!("{:.2e}", number * (1.0 - 0.005)).parse::<f64>() else { return 0.0 };
+    if rounded <= number { rounded } else { 0.0 }
+}
+
+/// The units of work that the zeros of one polynomial may take.
+const LIMIT: u64 = 5_000_000;
+
+/// Where the surface has no poles and no singular points, or where those are.
+fn certificates(derivation: &Essentials, bounds: &[OutputBound]) -> Vec<String> {
+    let domain: Vec<(Variable, _)> =
+        derivation.parameters.iter().cloned().zip(derivation.domain.iter().cloned()).collect();
+    let zeros = |poly: &Poly| {
+        let zeros = budget::with_budget(LIMIT, || poly.zeros_on(&domain)).ok().flatten();
+        zeros.map_or("not determined within the budget".to_string(), |zeros| zeros.to_string())
+    };
+    let weight = &derivation.homogeneous.coordinates()[0];
+    let has_sign = |poly: &Poly| matches!(poly.sign_on(&domain), Some(BoxSign::Positive | BoxSign::Negative));
+    let mut lines = vec![if has_sign(weight) {
+        "W ≠ 0 on the domain: certified.".to_string()
+    } else {
+        format!("Poles on the domain, where W = 0: {}.", zeros(weight))
+    }];
+    let Some(normal) = &derivation.normal else { return lines };
+    let regular = bounds.iter().any(|bound| bound.name == outputs::UNIT_NORMAL && bound.failure.is_none());
+    lines.push(match &derivation.orientation {
+        None if regular => "R_u × R_v ≠ 0 on the domain: certified.".to_string(),
+        orientation => {
+            let mut sets = Vec::new();
+            sets.extend(orientation.as_ref().map(&zeros));
+            if !regular && normal.is_rational() {
+                sets.extend(normal.length(&derivation.parameters, &derivation.domain).as_ref().map(&zeros));
+            } else if !regular && orientation.is_none() {
+                let square: Poly = normal.numerator().iter().map(|component| component * component).sum();
+                sets.push(zeros(&square));
+            }
+            format!("Singular points on the domain, where R_u × R_v = 0: {}.", sets.join("; "))
+        }
+    });
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rounded_down, rounded_up};
+
+    #[test]
+    fn digits_are_rounded_to_the_safe_side() {
+        assert_eq!(rounded_up(1.001e-15), 1.01e-15);
+        assert_eq!(rounded_up(9.999), 10.0);
+        assert_eq!(rounded_up(0.0), 0.0);
+        assert_eq!(rounded_up(f64::INFINITY), f64::INFINITY);
+        for k in 1..2000 {
+            let number = 1e-17 * 1.013_f64.powi(k);
+            let (up, down) = (rounded_up(number), rounded_down(number));
+            assert!(
+                down <= number && number <= up && up <= 1.011 * number && down >= 0.98 * number,
+                "{number}"
+            );
+        }
+    }
+}

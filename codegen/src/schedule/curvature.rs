@@ -1,0 +1,152 @@
+//! Fundamental forms, curvatures, parametric speeds, and derivatives of the unit normal.
+//!
+//! With the unit normal n on the side of R_u × R_v, the fundamental forms are (do Carmo, *Differential Geometry of
+//! Curves and Surfaces*, §2-5 and §3-3)
+//!
+//! ```text
+//! E = R_u·R_u, F = R_u·R_v, G = R_v·R_v,     L = n·R_uu, M = n·R_uv, N = n·R_vv.
+//! ```
+//!
+//! The textbook's K = (LN − M²)/(EG − F²) cancels in both differences. Here the shape operator is written in the
+//! orthonormal basis e₁ = R_u/√E, e₂ = n × e₁ of the tangent plane instead. With the area ‖R_u × R_v‖ = (n × R_u)·R_v
+//! the derivative by v is R_v = (F·e₁ + area·e₂)/√E, so that e₂ = (√E/area)·(R_v − (F/E)·R_u) and the second
+//! fundamental form has the matrix
+//!
+//! ```text
+//! ( a  b )    a = II(e₁, e₁) = L/E,        b = II(e₁, e₂) = m/area with m = M − F·a,
+//! ( b  c )    c = II(e₂, e₂) = (E·N − F·(M + m))/area².
+//! ```
+//!
+//! Its invariants are the mean curvature H = (a + c)/2, the Gaussian curvature K = a·c − b², and the principal curvatures
+//! H ± √(((a − c)/2)² + b²), whose radicand is a sum of squares and so never negative. Curvatures are positive where the
+//! surface bends to the side of n: the unit sphere with the normal outwards has a = c = −1.
+//!
+//! The matrix is that of −dn (Weingarten; do Carmo §3-2 and §3-3): dn(e₁) = −(a·e₁ + b·e₂), dn(e₂) = −(b·e₁ + c·e₂).
+//! Hence
+//!
+//! ```text
+//! n_u = √E·dn(e₁) = −(a·R_u + b·(n × R_u)),
+//! n_v = (F·dn(e₁) + area·dn(e₂))/√E = (F/E)·n_u − (area/E)·(b·R_u + c·(n × R_u)).
+//! ```
+//!
+//! All that is divided is divided by E and by the area, once each. Both are positive where the surface is regular.
+//!
+//! Many sweeps are parametrized by lines of curvature, F = M = 0 (do Carmo, §3-3). Where that is an identity
+//! (`vanish.rs`), the shape operator is diagonal in the basis R_u, R_v itself: a = L/E, b = 0, c = N/G, n_u = −a·R_u
+//! and n_v = −c·R_v.
+
+use hodograph_algebra::{Poly, ratio};
+
+use super::vanish::is_zero_identically;
+use super::vector::{cross, dot, is_zero, sum_of};
+use super::{OutputValues, outputs};
+use crate::program::{Program, Value};
+
+/// The outputs that follow from the derivatives and the unit normal of a program.
+///
+/// That they are right follows from the formulas above once those are proved, so a proof compares them with what this
+/// function makes of a copy of the program.
+pub(super) fn of_patch(program: &mut Program<Poly>) -> Vec<OutputValues> {
+    let results = |name| program.results(name).to_vec();
+    let [of_u, of_v] = [outputs::PARTIAL_U, outputs::PARTIAL_V].map(results);
+    let [of_uu, of_uv, of_vv] = [outputs::PARTIAL_UU, outputs::PARTIAL_UV, outputs::PARTIAL_VV].map(results);
+    let normal = results(outputs::UNIT_NORMAL);
+
+    let e = dot(program, &of_u, &of_u);
+    let f = dot_or_zero(program, &of_u, &of_v);
+    let g = dot(program, &of_v, &of_v);
+    let l = dot(program, &normal, &of_uu);
+    let m = dot_or_zero(program, &normal, &of_uv);
+    let n = dot(program, &normal, &of_vv);
+    let speeds = vec![program.square_root(e), program.square_root(g)];
+    let forms = Forms { e, f, g, l, m, n };
+    let Shape { a, b, c, normal_u, normal_v } = if is_zero(program, f) && is_zero(program, m) {
+        diagonal(program, &forms, &of_u, &of_v)
+    } else {
+        general(program, &forms, &of_u, &of_v)
+    };
+
+    let half = program.constant(Poly::constant(ratio(1, 2)));
+    let sum = program.add(a, c);
+    let mean = program.multiply(half, sum);
+    let gaussian = sum_of(program, &[(a, c, false), (b, b, true)]);
+    let difference = program.subtract(a, c);
+    let difference = program.multiply(half, difference);
+    let radicand = sum_of(program, &[(difference, difference, false), (b, b, false)]);
+    let root = program.square_root(radicand);
+    let principal = vec![program.add(mean, root), program.subtract(mean, root)];
+
+    vec![
+        (outputs::FIRST_FORM, vec![e, f, g]),
+        (outputs::SECOND_FORM, vec![l, m, n]),
+        (outputs::GAUSSIAN, vec![gaussian]),
+        (outputs::MEAN, vec![mean]),
+        (outputs::PRINCIPAL, principal),
+        (outputs::SPEEDS, speeds),
+        (outputs::NORMAL_U, normal_u),
+        (outputs::NORMAL_V, normal_v),
+    ]
+}
+
+/// a·b, or the constant 0 if that is an identity.
+fn dot_or_zero(program: &mut Program<Poly>, a: &[Value], b: &[Value]) -> Value {
+    let product = dot(program, a, b);
+    if is_zero_identically(program, product) { program.constant(Poly::zero()) } else { product }
+}
+
+/// The coefficients of both fundamental forms.
+struct Forms {
+    e: Value,
+    f: Value,
+    g: Value,
+    l: Value,
+    m: Value,
+    n: Value,
+}
+
+/// The matrix of the shape operator in an orthonormal basis, and the derivatives of the normal.
+struct Shape {
+    a: Value,
+    b: Value,
+    c: Value,
+    normal_u: Vec<Value>,
+    normal_v: Vec<Value>,
+}
+
+/// For F = M = 0.
+fn diagonal(program: &mut Program<Poly>, forms: &Forms, of_u: &[Value], of_v: &[Value]) -> Shape {
+    let (a, c) = (program.divide(forms.l, forms.e), program.divide(forms.n, forms.g));
+    let mut derivative = |curvature: Value, vector: &[Value]| -> Vec<Value> {
+        vector.iter().map(|&x| sum_of(program, &[(curvature, x, true)])).collect()
+    };
+    let (normal_u, normal_v) = (derivative(a, of_u), derivative(c, of_v));
+    Shape { a, b: forms.f, c, normal_u, normal_v }
+}
+
+fn general(program: &mut Program<Poly>, forms: &Forms, of_u: &[Value], of_v: &[Value]) -> Shape {
+    let &Forms { e, f, l, m, n, .. } = forms;
+    let normal = program.results(outputs::UNIT_NORMAL).to_vec();
+    let one = program.constant(Poly::one());
+    let across = cross(program, &normal, of_u);
+    let area = dot(program, &across, of_v);
+    let e_inverse = program.divide(one, e);
+    let area_inverse = program.divide(one, area);
+
+    let a = program.multiply(l, e_inverse);
+    let rest = sum_of(program, &[(m, one, false), (f, a, true)]);
+    let b = program.multiply(rest, area_inverse);
+    let sum = program.add(m, rest);
+    let square = sum_of(program, &[(e, n, false), (f, sum, true)]);
+    let square = program.multiply(square, area_inverse);
+    let c = program.multiply(square, area_inverse);
+
+    let mut combination = |(p, x): (Value, &[Value]), (q, y): (Value, &[Value]), minus| -> Vec<Value> {
+        x.iter().zip(y).map(|(&x, &y)| sum_of(program, &[(p, x, minus), (q, y, minus)])).collect()
+    };
+    let normal_u = combination((a, of_u), (b, &across), true);
+    let turned = combination((b, of_u), (c, &across), false);
+    let (shear, stretch) = (program.multiply(f, e_inverse), program.multiply(area, e_inverse));
+    let pairs = normal_u.iter().zip(&turned);
+    let normal_v = pairs.map(|(&x, &y)| sum_of(program, &[(shear, x, false), (stretch, y, true)])).collect();
+    Shape { a, b, c, normal_u, normal_v }
+}
