@@ -45,6 +45,8 @@ pub struct Worst {
     pub error: f64,
     /// The parameters.
     pub at: (f64, f64),
+    /// The largest quotient of an error and the size of the output at the same place.
+    pub relative: f64,
     /// How often nothing finite was computed.
     pub undefined: usize,
 }
@@ -155,6 +157,8 @@ impl<'a> Search<'a> {
                     }
                     let pairs = computed.iter().zip(exact).filter(|(number, _)| number.is_finite());
                     let error = pairs.fold(0.0, |error: f64, (&number, exact)| error.max(exact.gap(number)));
+                    let size = exact.iter().fold(0.0, |size: f64, exact| size.max(exact.magnitude()));
+                    worst.relative = worst.relative.max(error / size);
                     if error > worst.error {
                         (worst.error, worst.at) = (error, (u, v));
                     }
@@ -206,7 +210,7 @@ impl<'a> Search<'a> {
             let bound = bound_of(bounds, output).errors[k];
             let allowed = factor * bound;
             let (name, rounding) = (self.subject.surface.name(), rounding_name(Rounding::ALL[k]));
-            let Worst { error, at: (u, v), undefined } = *worst;
+            let Worst { error, at: (u, v), undefined, .. } = *worst;
             if error > allowed {
                 excesses.push(format!(
                     "{output} of {name} at ({u:?}, {v:?}), {rounding}: {error:e} > {allowed:e}"
@@ -220,7 +224,8 @@ impl<'a> Search<'a> {
     }
 
     /// A line for each output: in every rounding the largest error and the bound, in units of the unit roundoff times the
-    /// output's size, and the bound divided by the error. Where no size is certain, as for what vanishes everywhere, it counts as 1.
+    /// output's size, and the bound divided by the error. Where no size is certain, as for what vanishes everywhere, it counts as 1. Without a bound, the last number is the largest error in units of the unit
+    /// roundoff times the size of the output at the same place.
     #[must_use]
     pub fn table(&self, bounds: &Bounds) -> String {
         let mut table = String::new();
@@ -230,14 +235,17 @@ impl<'a> Search<'a> {
             let cells: Vec<String> = (0..Rounding::ALL.len())
                 .map(|k| {
                     let unit = unit_roundoff(Rounding::ALL[k].precision) * size;
-                    let Worst { error, .. } = self.worst(output, k);
+                    let Worst { error, relative, .. } = self.worst(output, k);
                     let (allowed, ratio) = match bound.errors[k] {
                         // Nothing is rounded.
                         0.0 => ("0".to_owned(), String::new()),
                         allowed if allowed.is_finite() => {
                             (number(allowed / unit), format!("{:.1}", allowed / error))
                         }
-                        _ => ("none".to_owned(), String::new()),
+                        _ => {
+                            let relative = relative / unit_roundoff(Rounding::ALL[k].precision);
+                            ("none".to_owned(), format!("at {}", number(relative)))
+                        }
                     };
                     format!("{:>9} {allowed:>9} {ratio:>8}", number(error / unit))
                 })

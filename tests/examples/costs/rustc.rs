@@ -28,10 +28,13 @@ pub(crate) struct Compiler {
 
 /// The parts of the runtime that generated code uses.
 const RUNTIME: &str = "
+pub use batch::{Batch, BatchError};
+pub use bounds::{Bound, Bounds};
+pub use dispatch::Variant;
 pub use family::ParameterError;
-pub use grid::GridError;
-pub use regularity::Regularity;
-pub use surface::{Domain, Surface};
+pub use real::{Float, Fused, Plain, Real, horner};
+pub use surface::{Domain, Patch, Surface, offset_net};
+pub use task::{First, Homogeneous, Local, Normal, Point, Second, Separated, Stages, Sweep};
 ";
 
 /// The crate without anything generated.
@@ -43,14 +46,13 @@ impl Compiler {
     /// # Errors
     /// Why rustc does not run or fails.
     pub(crate) fn new(level: Level, runs: u32) -> io::Result<Compiler> {
-        let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/src");
-        let modules = ["bernstein", "family", "float", "grid", "regularity", "surface"];
-        let module = |name: &str| {
-            let path = sources.join(name).with_extension("rs");
-            format!("#[path = {path:?}]\npub mod {name};\n")
-        };
-        let runtime = modules.map(module).concat() + RUNTIME;
         let mut compiler = Compiler { level, folder: tempfile::tempdir()?, empty: Duration::ZERO };
+        let float = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/src/float.rs");
+        let mut runtime = format!("#[path = {float:?}]\npub mod float;\n{RUNTIME}");
+        for source in hodograph::runtime() {
+            fs::write(compiler.folder.path().join(source.name).with_extension("rs"), source.text)?;
+            runtime += &format!("pub mod {};\n", source.name);
+        }
         compiler.compile("hodograph", &runtime)?;
         compiler.empty = compiler.time(EMPTY, runs)?;
         Ok(compiler)
