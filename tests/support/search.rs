@@ -224,8 +224,9 @@ impl<'a> Search<'a> {
     }
 
     /// A line for each output: in every rounding the largest error and the bound, in units of the unit roundoff times the
-    /// output's size, and the bound divided by the error. Where no size is certain, as for what vanishes everywhere, it counts as 1. Without a bound, the last number is the largest error in units of the unit
-    /// roundoff times the size of the output at the same place.
+    /// output's size, and the bound divided by the error. Where no size is certain, as for what vanishes everywhere, it counts
+    /// as 1. Without a bound, the last number is the largest error in units of the unit roundoff times the size of the output at
+    /// the same place.
     #[must_use]
     pub fn table(&self, bounds: &Bounds) -> String {
         let mut table = String::new();

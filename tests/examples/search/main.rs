@@ -9,7 +9,9 @@
 //! largest errors so far. Every point is tried in all functions, in the precisions that it is a point of and in both variants.
 //!
 //! A line shows for each function the largest error, the bound, and the bound divided by the error: in double precision, plain
-//! and fused, then in single precision. Errors are in units of the unit roundoff, 2⁻⁵³ or 2⁻²⁴, times the function's size; @@ The exit status is 1 if a bound is exceeded.
+//! and fused, then in single precision. Errors are in units of the unit roundoff, 2⁻⁵³ or 2⁻²⁴, times the function's size (1 where
+//! that is not known). For a function without a bound, the reason follows, and in place of the ratio there is the largest error
+//! in units of the unit roundoff times the size of the result itself. The exit status is 1 if a bound is exceeded.
 
 use std::process::ExitCode;
 use std::time::Instant;
