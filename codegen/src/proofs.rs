@@ -147,13 +147,22 @@ fn rounded_down(number: f64) -> f64 {
 /// The units of work that the zeros of one polynomial may take.
 const LIMIT: u64 = 5_000_000;
 
+/// The longest description of zeros that documentation shows.
+const LONGEST: usize = 200;
+
 /// Where the surface has no poles and no singular points, or where those are.
 fn certificates(derivation: &Essentials, bounds: &[OutputBound]) -> Vec<String> {
     let domain: Vec<(Variable, _)> =
         derivation.parameters.iter().cloned().zip(derivation.domain.iter().cloned()).collect();
     let zeros = |poly: &Poly| {
         let zeros = budget::with_budget(LIMIT, || poly.zeros_on(&domain)).ok().flatten();
-        zeros.map_or("not determined within the budget".to_string(), |zeros| zeros.to_string())
+        let text = zeros.map_or("not determined within the budget".to_string(), |zeros| zeros.to_string());
+        // `derive` shows what is too long for a line of documentation.
+        if text.len() <= LONGEST {
+            text
+        } else {
+            "too long to be shown here; `hodograph derive` lists them".to_string()
+        }
     };
     let weight = &derivation.homogeneous.coordinates()[0];
     let has_sign = |poly: &Poly| matches!(poly.sign_on(&domain), Some(BoxSign::Positive | BoxSign::Negative));

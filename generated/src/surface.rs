@@ -73,7 +73,7 @@ pub trait Patch {
 
     /// Proved bounds of the errors of all evaluators over [`domain`](Patch::domain).
     ///
-    /// Members of families have none that are known when they are compiled: `error_bounds` proves theirs at run time.
+    /// Members of families have none that are known when they are compiled: [`error_bounds`](crate::error_bounds) proves theirs at run time.
     fn bounds(&self) -> Option<&Bounds> {
         None
     }
@@ -141,7 +141,8 @@ pub trait Surface<F: Float = f64>: Patch {
     /// The unit normal of the surface at (u, v): the unit vector of R_u × R_v.
     ///
     /// On the domain it turns over where the common factor of the components of R_u × R_v changes its sign; outside of the
-    /// domain it may continue smoothly instead.
+    /// domain it may continue smoothly instead. It is computed from polynomials without common factor, so that it may exist where
+    /// R_u and R_v do not: as a limit at a pole, or where they overflow.
     ///
     /// # Errors
     /// [`Undefined`]; that is [`Undefined::Singular`] where R_u × R_v, as it is computed, vanishes.
@@ -267,11 +268,17 @@ impl<S: Sweep, F: Float> Surface<F> for S {
 
     #[inline]
     fn offset_point(&self, r: F, u: F, v: F) -> Result<[F; 3], Undefined> {
+        if !r.is_finite() {
+            return Err(Undefined::Parameter);
+        }
         run(Sweep::variant(self), OffsetPoint { surface: self, r, u, v })
     }
 
     #[inline]
     fn offset_first_order(&self, r: F, u: F, v: F) -> Result<FirstOrder<F>, Undefined> {
+        if !r.is_finite() {
+            return Err(Undefined::Parameter);
+        }
         run(Sweep::variant(self), OffsetFirstOrder { surface: self, r, u, v })
     }
 
@@ -321,7 +328,7 @@ impl<T: Task, S: Sweep + Stages<T>, F: Float, I: From<T::Values<F>>> Kernel<F> f
     #[inline(always)]
     fn run<R: Rounded<F>>(self) -> Result<I, Undefined> {
         let values: T::Values<F> = convert(at::<T, S, R, F>(self.surface, self.u, self.v), R::value);
-        finite(self.surface, self.u, self.v, values)
+        finite(self.surface, self.u, self.v, values, T::NEEDS_NORMAL)
     }
 }
 
@@ -351,7 +358,7 @@ impl<T: Task, S: Sweep + Stages<T>, F: Float, const N: usize> Kernel<F> for Sele
     fn run<R: Rounded<F>>(self) -> Result<[F; N], Undefined> {
         let values = at::<T, S, R, F>(self.surface, self.u, self.v);
         let selected: [F; N] = Part::of(|k| values.get(self.from + k).value());
-        finite(self.surface, self.u, self.v, selected)
+        finite(self.surface, self.u, self.v, selected, false)
     }
 }
 
@@ -371,7 +378,7 @@ impl<S: Sweep, F: Float> Kernel<F> for OffsetPoint<'_, S, F> {
         let point = at::<Point, S, R, F>(self.surface, self.u, self.v);
         let normal = at::<Normal, S, R, F>(self.surface, self.u, self.v);
         let offset: [F; 3] = Part::of(|k| r.mul_add(normal[k], point[k]).value());
-        finite(self.surface, self.u, self.v, offset)
+        finite(self.surface, self.u, self.v, offset, true)
     }
 }
 
@@ -394,7 +401,7 @@ impl<S: Sweep, F: Float> Kernel<F> for OffsetFirstOrder<'_, S, F> {
             let normal = if k < 3 { 18 + k } else { 30 + k };
             r.mul_add(local[normal], local[k]).value()
         });
-        finite(self.surface, self.u, self.v, offset)
+        finite(self.surface, self.u, self.v, offset, true)
     }
 }
 
@@ -405,43 +412,52 @@ fn finite<S: Sweep, F: Float, V: Part<F>, I: From<V>>(
     u: F,
     v: F,
     values: V,
+    needs_normal: bool,
 ) -> Result<I, Undefined> {
-    if is_finite(&values) { Ok(I::from(values)) } else { Err(reason(surface, u, v)) }
+    // A result may be independent of a parameter.
+    if is_finite(&values) && is_finite(&[u, v]) {
+        Ok(I::from(values))
+    } else {
+        Err(reason(surface, u, v, needs_normal))
+    }
 }
 
 /// Why something at (u, v) is not finite.
 #[cold]
 #[inline(never)]
-fn reason<S: Sweep, F: Float>(surface: &S, u: F, v: F) -> Undefined {
+fn reason<S: Sweep, F: Float>(surface: &S, u: F, v: F, needs_normal: bool) -> Undefined {
     if !u.is_finite() || !v.is_finite() {
         return Undefined::Parameter;
     }
-    let coordinates = run(surface.variant(), Coordinates { surface, u, v });
+    let (coordinates, normal) = run(surface.variant(), Circumstances { surface, u, v });
     if coordinates[0] == F::default() {
         Undefined::Pole
-    } else if is_finite(&coordinates) {
-        // Whatever is asked for, but the normal, is finite unless it overflows.
+    } else if needs_normal && is_finite(&coordinates) && !is_finite(&normal) {
         Undefined::Singular
     } else {
         Undefined::Overflow
     }
 }
 
-/// The homogeneous coordinates, the weight first, and those of the point.
-struct Coordinates<'a, S, F> {
+/// The homogeneous coordinates, the weight first, with those of the point; and the normal.
+struct Circumstances<'a, S, F> {
     surface: &'a S,
     u: F,
     v: F,
 }
 
-impl<S: Sweep, F: Float> Kernel<F> for Coordinates<'_, S, F> {
-    type Output = [F; 7];
+impl<S: Sweep, F: Float> Kernel<F> for Circumstances<'_, S, F> {
+    type Output = ([F; 7], [F; 3]);
 
     #[inline(always)]
-    fn run<R: Rounded<F>>(self) -> [F; 7] {
+    fn run<R: Rounded<F>>(self) -> ([F; 7], [F; 3]) {
         let homogeneous = at::<Homogeneous, S, R, F>(self.surface, self.u, self.v);
         let point = at::<Point, S, R, F>(self.surface, self.u, self.v);
-        Part::of(|k| if k < 4 { homogeneous[k].value() } else { point[k - 4].value() })
+        let normal = at::<Normal, S, R, F>(self.surface, self.u, self.v);
+        (
+            Part::of(|k| if k < 4 { homogeneous[k].value() } else { point[k - 4].value() }),
+            Part::of(|k| normal[k].value()),
+        )
     }
 }
 
@@ -487,6 +503,12 @@ mod tests {
             assert_eq!(s.speed_v(0.5, bad), Err(Undefined::Parameter));
             assert_eq!(s.unit_normal(0.5, bad), Err(Undefined::Parameter));
         }
+        for bad in [f64::NAN, f64::INFINITY] {
+            assert_eq!(s.offset_point(bad, 0.25, 0.5), Err(Undefined::Parameter));
+            assert_eq!(s.offset_first_order(bad, 0.25, 0.5), Err(Undefined::Parameter));
+        }
+        // What needs no normal is not singular.
+        assert_eq!(s.second_order(1.0 - f64::EPSILON, 1e290), Err(Undefined::Overflow));
         // The speed of the curves v = const vanishes at singular points, and is a number there.
         assert_eq!(s.speed_u(0.5, 0.0), Ok(0.0));
     }

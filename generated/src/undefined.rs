@@ -11,7 +11,7 @@ use core::fmt;
 pub enum Undefined {
     /// The weight W vanishes.
     Pole,
-    /// There is a point, and R_u × R_v vanishes, or is too small to have a direction.
+    /// There is a point, and R_u × R_v vanishes as it is computed: the surface has no normal.
     Singular,
     /// A parameter is infinite or NaN.
     Parameter,

@@ -200,12 +200,9 @@ mod tests {
 
     use super::Fixed;
 
-    /// Whether the ball holds the number.
+    /// Whether the ball holds the number, and little else.
     fn holds(ball: &Fixed, number: &Rational) -> bool {
-        let number = Fixed::of(number);
-        let difference = ball.sub(&number);
-        // The number's own ball is smaller than the tolerance.
-        difference.contains_zero() && ball.width() < 1e-90
+        ball.encloses(&Enclosure::exact(number.clone())) && ball.width() < 1e-60
     }
 
     #[test]

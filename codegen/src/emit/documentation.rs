@@ -50,11 +50,11 @@ fn words(name: &str) -> String {
 fn place(failure: &Unbounded) -> String {
     let [[u0, u1], [v0, v1]] = failure.place;
     let why = match failure.reason {
-        Reason::Denominator => "a denominator may vanish",
-        Reason::Radicand => "a radicand may vanish",
-        Reason::Sign => "a factor changes its sign",
-        Reason::Direction => "a direction may vanish",
-        Reason::Overflow => "numbers may overflow",
+        Reason::Denominator => "a denominator is not proved to stay away from zero",
+        Reason::Radicand => "a radicand is not proved to stay above zero",
+        Reason::Sign => "the sign of a factor is not proved",
+        Reason::Direction => "a direction is not proved to stay away from zero",
+        Reason::Overflow => "numbers are not proved to stay in range",
         _ => "it is not known",
     };
     format!("{why} near u in {u0:?} to {u1:?}, v in {v0:?} to {v1:?}")

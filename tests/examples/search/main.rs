@@ -55,7 +55,11 @@ fn main() -> ExitCode {
         let proofs = compile(&entry.model).ok().and_then(|artifact| artifact.proofs);
         for bound in proofs.iter().flat_map(|proofs| &proofs.bounds) {
             if let Some(reason) = &bound.failure {
-                println!("  {} has no bound: {reason}", bound.name);
+                let (u, v) = search.worst(bound.name, 0).at;
+                println!(
+                    "  {} has no bound: {reason}; the largest error at u = {u:?}, v = {v:?}",
+                    bound.name
+                );
             }
         }
         excesses.extend(search.excesses(bounds, 1.0));

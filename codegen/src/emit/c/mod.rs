@@ -45,6 +45,10 @@ impl Precision {
     /// A number, with the fewest digits that are read back as the same.
     fn literal(self, number: f64) -> String {
         match self {
+            // Beyond the range of the precision: results are infinite, which functions tell.
+            Precision::Single if !(number as f32).is_finite() => {
+                if number < 0.0 { "-INFINITY" } else { "INFINITY" }.to_string()
+            }
             Precision::Single => format!("{:?}f", number as f32),
             Precision::Double => format!("{number:?}"),
         }
