@@ -414,12 +414,7 @@ fn finite<S: Sweep, F: Float, V: Part<F>, I: From<V>>(
     values: V,
     needs_normal: bool,
 ) -> Result<I, Undefined> {
-    // A result may be independent of a parameter.
-    if is_finite(&values) && is_finite(&[u, v]) {
-        Ok(I::from(values))
-    } else {
-        Err(reason(surface, u, v, needs_normal))
-    }
+    if is_finite(&values) { Ok(I::from(values)) } else { Err(reason(surface, u, v, needs_normal)) }
 }
 
 /// Why something at (u, v) is not finite.

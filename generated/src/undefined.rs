@@ -13,7 +13,7 @@ pub enum Undefined {
     Pole,
     /// There is a point, and R_u × R_v vanishes as it is computed: the surface has no normal.
     Singular,
-    /// A parameter is infinite or NaN.
+    /// A parameter that the result depends on is infinite or NaN.
     Parameter,
     /// Numbers on the way to the result, or itself, are beyond the range of the precision: far from the domain, or near a pole.
     Overflow,

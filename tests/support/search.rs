@@ -15,25 +15,7 @@ use crate::points::Points;
 use crate::surfaces::Subject;
 
 /// The outputs that are searched, by the names that programs have for them.
-pub const OUTPUTS: [&str; 17] = [
-    outputs::HOMOGENEOUS,
-    outputs::POINT,
-    outputs::SEPARATED_POINT,
-    outputs::PARTIAL_U,
-    outputs::PARTIAL_V,
-    outputs::PARTIAL_UU,
-    outputs::PARTIAL_UV,
-    outputs::PARTIAL_VV,
-    outputs::UNIT_NORMAL,
-    outputs::FIRST_FORM,
-    outputs::SECOND_FORM,
-    outputs::GAUSSIAN,
-    outputs::MEAN,
-    outputs::PRINCIPAL,
-    outputs::SPEEDS,
-    outputs::NORMAL_U,
-    outputs::NORMAL_V,
-];
+pub use hodograph_codegen::proofs::BOUNDED as OUTPUTS;
 
 /// The tasks that have all outputs between them.
 const SEARCHED: [&str; 3] = ["Homogeneous", "Point", "Local"];

@@ -53,6 +53,12 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
         }
         return;
     }
+    // The generated code names the package, and its type cannot be called `Self`.
+    if ["hodograph", "self_"].contains(&item.name.value.as_str()) {
+        let wrong =
+            Diagnostic::new(item.name.span, format!("no code can be generated for a sweep called `{name}`"));
+        diagnostics.push(wrong.help("use another name"));
+    }
     let surface = surfaces.first();
     if surface.is_none() && !attempted.contains(&"surface") {
         let wrong = Diagnostic::new(item.name.span, format!("the sweep `{name}` has no surface"));

@@ -136,6 +136,12 @@ fn mistakes_in_clauses() {
         ("surfce R = k;", "surfce", "there is no clause `surfce`", "did you mean `surface`?"),
         ("q = 2;", "q", "there is no clause `q`", "a definition begins with its kind, as in `let q = …`"),
         ("let c = a == b == c;", "==", "relations do not chain", "write a claim for each relation"),
+        (
+            "prefer speed;",
+            "speed",
+            "expected what is preferred, found `speed`",
+            "write `prefer fast;`, which is the default, or `prefer accurate;`",
+        ),
         ("let c = 2(u + 1);", "(", "a number cannot be called", "write `2*(…)` for a product"),
         ("let c = 1.5.x;", "x", "a number has no members", "write `1.5*…` for a product"),
         (
@@ -249,6 +255,10 @@ fn mistakes_in_items() {
         (
             "lemma a { surface R = k; }",
             "1:19: the lemma `a` has a surface (a surface belongs to a sweep: write `sweep` instead of `lemma`)",
+        ),
+        (
+            "sweep hodograph { surface R = k; domain u in 0..1, v in 0..1; }",
+            "1:7: no code can be generated for a sweep called `hodograph` (use another name)",
         ),
         (
             "sweep a { domain u in 0..1, v in 0..1; }",
