@@ -13,6 +13,10 @@
 //! `cargo bench -- normals` runs the works whose title has that word, `cargo bench -- --rounds 100` takes more turns.
 //! `cargo test` checks that all evaluators agree.
 //!
+//! For processors with vectors of 512 bits, compilers prefer those of 256 when they build for the native processor; Hodograph's own choice
+//! at run time, in builds for a general processor, takes the wide ones. What they are worth in a native build shows with
+//! `RUSTFLAGS="-C target-cpu=native -C target-feature=-prefer-256-bit"`.
+//!
 //! The package is not published and not part of the workspace, so that nothing that it depends on is built with the rest.
 //! `truck-geometry` is under the Apache-2.0 licence, `curvo` under MIT.
 
