@@ -9,7 +9,7 @@
 //! | polynomials | [`Poly`] over a [`Ring`]: arithmetic, exact division, gcd, [`Squarefree`], [`SquareSplit`], resultant |
 //! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
 //! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`Integral`] |
-//! | curves | [`Vector`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
+//! | curves | [`Vector`], [`Quaternion`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
 //! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], offset, [`SingularLocus`], [`ControlNet`] |
 //!
 //! # Example
@@ -61,6 +61,7 @@ pub use geometry::curve::{Curve, KnownProperties, moving_frame_curve, rational_r
 pub use geometry::curve_error::CurveError;
 pub use geometry::hermite::{Hermite, HermiteDatum, HermiteError, HermiteSolution};
 pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
+pub use geometry::quaternion::Quaternion;
 pub use geometry::vector::Vector;
 pub use integral::Integral;
 pub use number::complex::Complex;

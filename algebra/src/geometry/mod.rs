@@ -6,6 +6,7 @@ pub(crate) mod curve_error;
 pub(crate) mod hermite;
 pub(crate) mod plane;
 pub(crate) mod preimage;
+pub(crate) mod quaternion;
 pub(crate) mod rotation;
 pub(crate) mod sample;
 pub(crate) mod vector;
