@@ -10,6 +10,7 @@
 //! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
 //! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`Integral`] |
 //! | curves | [`Vector`], [`Quaternion`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
+//! | motions | [`Motion`] through [`Frame`]s: [`Spline`], [`onto_sphere`] |
 //! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], offset, [`SingularLocus`], [`ControlNet`] |
 //!
 //! # Example
@@ -49,6 +50,7 @@ mod fraction;
 mod geometry;
 mod integral;
 mod modular;
+mod motion;
 mod number;
 mod operators;
 mod poly;
@@ -64,6 +66,12 @@ pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
 pub use geometry::quaternion::Quaternion;
 pub use geometry::vector::Vector;
 pub use integral::Integral;
+pub use motion::error::{MAX_FRAMES, MotionError};
+pub use motion::frame::Frame;
+pub use motion::path::{Motion, MotionEnds, MotionOptions, Orientation};
+pub use motion::segment::MotionSegment;
+pub use motion::sphere::{Lift, from_sphere, onto_sphere};
+pub use motion::spline::{Ends, Smoothness, Spline, bernstein_product, bernstein_sum};
 pub use number::complex::Complex;
 pub use number::enclosure::Enclosure;
 pub use number::field::{Generator, NumberField, Relation};

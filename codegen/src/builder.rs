@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::compile::expand;
 use crate::emit;
-use crate::language::{Report, decode, parse_text};
+use crate::language::{Report, decode, parse_text, read_input};
 
 /// Compiles `.sweep` files from a build script into `OUT_DIR`: an alternative to the macro, with the same output, that shows the
 /// generated text and leaves the choice of profile to `build-override`.
@@ -99,7 +99,12 @@ fn text(path: &Path) -> Result<String, BuildError> {
     let bytes = std::fs::read(path).map_err(|error| BuildError(format!("cannot read {name}: {error}")))?;
     let shown = |report: &Report| BuildError(report.to_string());
     let parsed = decode(&name, &bytes).and_then(|text| parse_text(&name, text));
-    let (file, source) = parsed.map_err(|report| shown(&report))?;
+    let (mut file, source) = parsed.map_err(|report| shown(&report))?;
+    file.attach(|input| {
+        let beside = path.parent().unwrap_or(Path::new("")).join(input);
+        println!("cargo::rerun-if-changed={}", beside.display());
+        read_input(&beside, input)
+    });
     let (tokens, diagnostics) = expand(&file);
     if !diagnostics.is_empty() {
         return Err(shown(&Report::new(source, diagnostics)));

@@ -7,7 +7,8 @@ use quote::quote;
 use syn::LitStr;
 
 use crate::compile::expand;
-use crate::language::{Report, decode, parse_macro, parse_text};
+use crate::language::ast::File;
+use crate::language::{Report, decode, parse_macro, parse_text, read_input};
 
 /// The expansion of `sweep! { … }` or `sweep!(file = "…")`: modules, or compile errors at the user's tokens.
 ///
@@ -36,20 +37,20 @@ fn file_argument(input: &TokenStream) -> Option<LitStr> {
 }
 
 fn from_body(input: TokenStream) -> TokenStream {
-    let (file, source) = match parse_macro(input) {
+    let (mut file, source) = match parse_macro(input) {
         Ok(parsed) => parsed,
         Err(error) => return error.into_compile_error(),
     };
+    let tracked = attach(&mut file, Path::new(""));
     let (tokens, diagnostics) = expand(&file);
     let errors = source.error(&diagnostics).map(syn::Error::into_compile_error);
-    quote! { #errors #tokens }
+    quote! { #errors #tracked #tokens }
 }
 
 fn from_file(literal: &LitStr) -> TokenStream {
     let fail = |message: String| syn::Error::new(literal.span(), message).into_compile_error();
     let name = literal.value();
-    let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-    let bytes = match std::fs::read(folder.join(Path::new(&name))) {
+    let bytes = match std::fs::read(manifest_folder().join(Path::new(&name))) {
         Ok(bytes) => bytes,
         Err(error) => {
             return fail(format!(
@@ -58,18 +59,42 @@ fn from_file(literal: &LitStr) -> TokenStream {
         }
     };
     let parsed = decode(&name, &bytes).and_then(|text| parse_text(&name, text));
-    let (file, source) = match parsed {
+    let (mut file, source) = match parsed {
         Ok(parsed) => parsed,
         Err(report) => return fail(report.message()),
     };
+    let tracked = attach(&mut file, Path::new(&name).parent().unwrap_or(Path::new("")));
     let (tokens, diagnostics) = expand(&file);
     if !diagnostics.is_empty() {
         return fail(Report::new(source, diagnostics).message());
     }
-    let path = LitStr::new(&format!("/{name}"), Span::call_site());
+    let own = tracking(&name);
+    quote! { #own #tracked #tokens }
+}
+
+/// Reads the files that a source names, from a folder relative to that of the manifest. What is returned makes the compiler read
+/// them again when they change.
+fn attach(file: &mut File, folder: &Path) -> TokenStream {
+    let mut tracked = TokenStream::new();
+    file.attach(|name| {
+        let path = folder.join(name);
+        let text = read_input(&manifest_folder().join(&path), name)?;
+        if let Some(path) = path.to_str() {
+            tracked.extend(tracking(path));
+        }
+        Ok(text)
+    });
+    tracked
+}
+
+fn manifest_folder() -> PathBuf {
+    std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
+}
+
+/// An item by which the compiler knows that the code depends on a file.
+fn tracking(path: &str) -> TokenStream {
+    let path = LitStr::new(&format!("/{path}"), Span::call_site());
     quote! {
-        // The compiler reads the file again when it changes.
         const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), #path));
-        #tokens
     }
 }

@@ -97,7 +97,7 @@ pub use hodograph_macros::sweep;
 pub use output::{Item, Output, Window};
 pub use real::{Float, Fused, Plain, Real, Rounded, horner};
 #[cfg(feature = "sources")]
-pub use sources::{Source, runtime, sources};
+pub use sources::{Source, inputs, runtime, sources};
 pub use surface::{Domain, Patch, Surface, offset_net};
 pub use task::{
     First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Stages, Sweep, Task,

@@ -20,6 +20,17 @@ pub const fn sources() -> &'static [Source] {
     SOURCES
 }
 
+/// The files of data that the catalogue's formulas name, by their whole names.
+///
+/// ```
+/// let frames = hodograph::inputs().iter().find(|input| input.name == "gutter.json").unwrap();
+/// assert!(frames.text.contains("quaternion"));
+/// ```
+#[must_use]
+pub const fn inputs() -> &'static [Source] {
+    &[Source { name: "gutter.json", text: include_str!("../formulas/gutter.json") }]
+}
+
 /// The files of this library that evaluators need, which are modules of these names: with them and a module `float` of
 /// `sqrt`, `sqrt_f32`, `mul_add` and `mul_add_f32`, emitted source compiles on its own. They have no unsafe code: what the
 /// machine can do is what the build assumes.

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use hodograph_codegen::language::ast::{self, ItemKind};
-use hodograph_codegen::language::{MAX_LENGTH, Report, Source, closest, decode, parse_text};
+use hodograph_codegen::language::{MAX_LENGTH, Report, Source, closest, decode, parse_text, read_input};
 use hodograph_codegen::meaning::{Model, models_within};
 
 use crate::failure::Failure;
@@ -20,7 +20,7 @@ pub(crate) struct Document {
     pub source: Source,
     /// What it says.
     pub file: ast::File,
-    /// What it means; as many models as items.
+    /// What it means: a model for each item, or for each of its pieces.
     models: Vec<Model>,
     /// The item that was asked for by its name, if it was.
     selected: Option<String>,
@@ -29,7 +29,7 @@ pub(crate) struct Document {
 impl Document {
     /// The models that were asked for, in the order of the source.
     pub(crate) fn models(&self) -> impl Iterator<Item = &Model> {
-        self.models.iter().filter(|model| self.selected.as_ref().is_none_or(|name| *name == model.name))
+        self.models.iter().filter(|model| self.selected.as_ref().is_none_or(|name| is_called(model, name)))
     }
 
     /// The sweeps that were asked for: all, or the one named `sweep`.
@@ -39,12 +39,18 @@ impl Document {
     pub(crate) fn sweeps(&self, sweep: Option<&str>) -> Result<Vec<&Model>, Failure> {
         let name = self.source.name();
         let named = match sweep {
-            Some(wanted) => vec![self.models.iter().find(|model| model.name == wanted).ok_or_else(|| {
-                let sweeps = self.models.iter().filter(|model| model.kind == ItemKind::Sweep);
-                let sweeps: Vec<&str> = sweeps.map(|model| model.name.as_str()).collect();
-                let failure = Failure::new(format!("{name} has no sweep `{wanted}`"));
-                failure.help(suggestion(wanted, &sweeps))
-            })?],
+            Some(wanted) => {
+                let named: Vec<&Model> =
+                    self.models.iter().filter(|model| is_called(model, wanted)).collect();
+                if named.is_empty() {
+                    let sweeps = self.models.iter().filter(|model| model.kind == ItemKind::Sweep);
+                    let mut sweeps: Vec<&str> = sweeps.map(Model::item_name).collect();
+                    sweeps.dedup();
+                    let failure = Failure::new(format!("{name} has no sweep `{wanted}`"));
+                    return Err(failure.help(suggestion(wanted, &sweeps)));
+                }
+                named
+            }
             None => self.models().collect(),
         };
         let asked = sweep.or(self.selected.as_deref());
@@ -62,16 +68,18 @@ impl Document {
         Ok(sweeps)
     }
 
-    /// The only sweep that was asked for.
+    /// The only sweep that was asked for, by its pieces: one, or several in their order.
     ///
     /// # Errors
     /// As [`Document::sweeps`]; several sweeps to choose from.
-    pub(crate) fn sweep(&self, sweep: Option<&str>) -> Result<&Model, Failure> {
+    pub(crate) fn sweep(&self, sweep: Option<&str>) -> Result<Vec<&Model>, Failure> {
         let sweeps = self.sweeps(sweep)?;
-        match sweeps.as_slice() {
-            [one] => Ok(one),
-            _ => {
-                let names: Vec<&str> = sweeps.iter().map(|model| model.name.as_str()).collect();
+        let first = sweeps.first().map(|model| model.item_name());
+        match sweeps.iter().all(|model| Some(model.item_name()) == first) {
+            true => Ok(sweeps),
+            false => {
+                let mut names: Vec<&str> = sweeps.iter().map(|model| model.item_name()).collect();
+                names.dedup();
                 let failure = Failure::new(format!("{} has several sweeps", self.source.name()));
                 Err(failure.help(format!("choose one with --sweep: {}", names.join(", "))))
             }
@@ -80,8 +88,13 @@ impl Document {
 
     /// The item that a model of this document stands for.
     pub(crate) fn item(&self, model: &Model) -> Option<&ast::Item> {
-        self.file.items.iter().find(|item| item.name.value == model.name)
+        self.file.items.iter().find(|item| item.name.value == model.item_name())
     }
+}
+
+/// Whether a model is called so: by its own name, or by that of the item that it is a piece of.
+fn is_called(model: &Model, name: &str) -> bool {
+    model.name == name || model.item_name() == name
 }
 
 /// The document at `input`: a path, `-`, or the name of a sweep, a lemma or a file of the catalogue.
@@ -92,17 +105,18 @@ impl Document {
 /// Nothing of that name; a file that cannot be read; all mistakes in it.
 pub(crate) fn load(input: &str, limit: u64) -> Result<Document, Failure> {
     if input == STANDARD_INPUT {
-        return document("<standard input>", &bounded(io::stdin(), "standard input")?, limit);
+        let bytes = bounded(io::stdin(), "standard input")?;
+        return document("<standard input>", &bytes, limit, |name| beside(Path::new(""), name));
     }
     let path = Path::new(input);
     let is_path = input.contains(std::path::is_separator) || input.ends_with(".sweep");
     // A directory may happen to have the name of an entry.
     if is_path || path.is_file() {
-        return document(input, &read(path, input)?, limit);
+        return document(input, &read(path, input)?, limit, |name| beside(path, name));
     }
     match entry(input, limit)? {
         Some(document) => Ok(document),
-        None if path.exists() => document(input, &read(path, input)?, limit),
+        None if path.exists() => document(input, &read(path, input)?, limit, |name| beside(path, name)),
         None => Err(unknown(input)),
     }
 }
@@ -114,7 +128,7 @@ pub(crate) fn load(input: &str, limit: u64) -> Result<Document, Failure> {
 pub(crate) fn catalogue(limit: u64) -> Result<Vec<Document>, Failure> {
     hodograph::sources()
         .iter()
-        .map(|source| document(&file_name(source.name), source.text.as_bytes(), limit))
+        .map(|source| document(&file_name(source.name), source.text.as_bytes(), limit, catalogued))
         .collect()
 }
 
@@ -141,11 +155,11 @@ fn entry(name: &str, limit: u64) -> Result<Option<Document>, Failure> {
         let named = file_name(source.name);
         let (file, _) = parse_text(&named, source.text)?;
         if file.items.iter().any(|item| item.name.value == name) {
-            let document = document(&named, source.text.as_bytes(), limit)?;
+            let document = document(&named, source.text.as_bytes(), limit, catalogued)?;
             return Ok(Some(Document { selected: Some(name.to_owned()), ..document }));
         }
         if source.name == name {
-            whole = Some(document(&named, source.text.as_bytes(), limit)?);
+            whole = Some(document(&named, source.text.as_bytes(), limit, catalogued)?);
         }
     }
     Ok(whole)
@@ -197,8 +211,26 @@ fn bounded(reader: impl Read, name: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn document(name: &str, bytes: &[u8], limit: u64) -> Result<Document, Failure> {
-    let (file, source) = parse_text(name, decode(name, bytes)?)?;
+/// The text of a file of data that stands beside a formula.
+fn beside(formula: &Path, name: &str) -> Result<String, String> {
+    let path = formula.parent().unwrap_or(Path::new("")).join(name);
+    read_input(&path, name)
+}
+
+/// The text of a file of data of the catalogue.
+fn catalogued(name: &str) -> Result<String, String> {
+    let found = hodograph::inputs().iter().find(|input| input.name == name);
+    found.map(|input| input.text.to_owned()).ok_or_else(|| "the catalogue has no such file".to_owned())
+}
+
+fn document(
+    name: &str,
+    bytes: &[u8],
+    limit: u64,
+    read: impl FnMut(&str) -> Result<String, String>,
+) -> Result<Document, Failure> {
+    let (mut file, source) = parse_text(name, decode(name, bytes)?)?;
+    file.attach(read);
     let (models, diagnostics) = models_within(&file, limit);
     if !diagnostics.is_empty() {
         return Err(Failure::Report(Box::new(Report::new(source, diagnostics))));

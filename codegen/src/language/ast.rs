@@ -2,6 +2,7 @@
 //!
 //! Two trees are equal when they say the same; places do not count.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::token::Span;
@@ -29,6 +30,57 @@ pub type Name = Spanned<String>;
 pub struct File {
     /// Sweeps and lemmas, in the order of the source.
     pub items: Vec<Item>,
+    /// The texts of the other files that the source names, by these names, or why they could not be read.
+    pub inputs: BTreeMap<String, Result<String, String>>,
+}
+
+impl File {
+    /// The names of the other files that the source names, in `frames_file("…")`: paths from the folder of the source. Each
+    /// stands there once, in the order of the alphabet.
+    #[must_use]
+    pub fn input_names(&self) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        for clause in self.items.iter().flat_map(|item| &item.clauses) {
+            if let ClauseKind::Curve(Curve { role: CurveRole::Frames, value, .. }) = &clause.kind
+                && let ExprKind::Call { callee, arguments } = value.kind()
+                && matches!(callee.kind(), ExprKind::Ident(name) if name == "frames_file")
+                && let Some(Argument { name: None, value }) = arguments.first()
+                && let ExprKind::Str(name) = value.kind()
+            {
+                names.insert(name.clone());
+            }
+        }
+        names
+    }
+
+    /// Gives the texts of the other files that the source names: `read` is called with each of their names.
+    ///
+    /// ```
+    /// use hodograph_codegen::{language::parse_text, meaning::models};
+    ///
+    /// let text = r#"lemma turn {
+    ///     frames F(v) = frames_file("turn.json");
+    ///     claim "end": F.position(1) == (2, 0, 1/2);
+    /// }"#;
+    /// let (mut file, _source) = parse_text("turn.sweep", text).unwrap();
+    /// file.attach(|name| {
+    ///     assert_eq!(name, "turn.json");
+    ///     let frames = r#"[
+    ///         {"position": [0, 0, 0], "quaternion": ["3/5", 0, 0, "4/5"]},
+    ///         {"position": [2, 0, 0.5], "quaternion": [-1, 0, 0, 0], "scale": 1.5}
+    ///     ]"#;
+    ///     Ok(frames.to_owned())
+    /// });
+    /// let (models, mistakes) = models(&file);
+    /// assert!(mistakes.is_empty());
+    /// assert_eq!(models[0].check(&models[0].claims[0], u64::MAX).unwrap().derived, "both sides are (2, 0, 1/2)");
+    /// ```
+    pub fn attach(&mut self, mut read: impl FnMut(&str) -> Result<String, String>) {
+        for name in self.input_names() {
+            let text = read(&name);
+            self.inputs.insert(name, text);
+        }
+    }
 }
 
 /// A sweep or a lemma: `sweep name { … }`.
@@ -91,7 +143,7 @@ pub enum ClauseKind {
     Function(Vec<Function>),
     /// `let f(u, v) = …;`: a name for a value.
     Let(Definition),
-    /// `profile p(u) = …;`, `path s(v) = …;`, `curve c(t) = …;`
+    /// `profile p(u) = …;`, `path s(v) = …;`, `curve c(t) = …;`, `frames F(v) = …;`
     Curve(Curve),
     /// `surface R = …;`
     Surface(Surface),
@@ -157,6 +209,8 @@ pub enum CurveRole {
     Path,
     /// Any other.
     Curve,
+    /// A motion through frames.
+    Frames,
 }
 
 /// `surface name(parameters) = value`

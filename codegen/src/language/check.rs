@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::ast::{Clause, ClauseKind, File, Interval, Item, ItemKind, Surface};
+use super::ast::{Clause, ClauseKind, CurveRole, File, Interval, Item, ItemKind, Surface};
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::suggest::closest;
 use super::token::{Span, shortened};
@@ -66,12 +66,15 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
             wrong.help("add its formula, `surface R = …;`, or write `lemma` for claims without a surface");
         diagnostics.push(wrong);
     }
-    if attempted.contains(&"domain") || attempted.contains(&"surface") {
+    if ["domain", "frames", "surface"].iter().any(|keyword| attempted.contains(keyword)) {
         return;
     }
     let parameters = surface.map_or(["u", "v"], |surface| surface.parameter_names());
-    let is_missing =
-        |parameter: &str| !intervals.iter().any(|interval| interval.parameter.value == parameter);
+    // The parameter of frames runs from the first of them to the last one.
+    let is_missing = |parameter: &str| {
+        !intervals.iter().any(|interval| interval.parameter.value == parameter)
+            && !item.clauses.iter().any(|clause| runs_through_frames(clause, parameter))
+    };
     let missing: Vec<String> =
         parameters.into_iter().filter(|name| is_missing(name)).map(shortened).collect();
     if !missing.is_empty() {
@@ -99,6 +102,11 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
         };
         diagnostics.push(wrong.help(help));
     }
+}
+
+fn runs_through_frames(clause: &Clause, parameter: &str) -> bool {
+    let ClauseKind::Curve(curve) = &clause.kind else { return false };
+    curve.role == CurveRole::Frames && curve.parameter.value == parameter
 }
 
 fn surface(clause: &Clause) -> Option<&Surface> {

@@ -33,6 +33,7 @@ impl Parser<'_> {
             "profile" => ClauseKind::Curve(self.curve(CurveRole::Profile)?),
             "path" => ClauseKind::Curve(self.curve(CurveRole::Path)?),
             "curve" => ClauseKind::Curve(self.curve(CurveRole::Curve)?),
+            "frames" => ClauseKind::Curve(self.curve(CurveRole::Frames)?),
             "surface" => ClauseKind::Surface(self.surface()?),
             "prefer" => ClauseKind::Prefer(self.preference()?),
             "domain" => ClauseKind::Domain(self.comma_separated(Self::interval)?),

@@ -7,7 +7,7 @@
 //!            | "symbol" name { "," name }
 //!            | "function" name "(" name ")" { "," name "(" name ")" }
 //!            | "let" name [ "(" names ")" ] "=" expression
-//!            | ("profile" | "path" | "curve") name "(" name ")" "=" expression
+//!            | ("profile" | "path" | "curve" | "frames") name "(" name ")" "=" expression
 //!            | "surface" name [ "(" name "," name ")" ] "=" expression
 //!            | "prefer" ("fast" | "accurate")
 //!            | "domain" name "in" sum ".." sum { "," … }
@@ -34,6 +34,7 @@ mod check;
 mod clause;
 mod diagnostic;
 mod expression;
+pub(crate) mod json;
 mod lexer;
 mod macro_tokens;
 mod parser;
@@ -49,7 +50,7 @@ pub use lexer::lex;
 pub use macro_tokens::{MacroSource, adapt};
 pub use parser::parse;
 pub use report::Report;
-pub use source::{Position, Source, decode};
+pub use source::{Position, Source, decode, read_input};
 pub use suggest::closest;
 pub use token::{Span, SpanId, Token, TokenKind, Tokens};
 

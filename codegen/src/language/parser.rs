@@ -7,7 +7,7 @@ use super::suggest::closest;
 use super::token::{Span, TokenKind, Tokens, shortened};
 
 /// The words that begin clauses.
-pub(super) const KEYWORDS: [&str; 12] = [
+pub(super) const KEYWORDS: [&str; 13] = [
     "source",
     "symbol",
     "function",
@@ -15,6 +15,7 @@ pub(super) const KEYWORDS: [&str; 12] = [
     "profile",
     "path",
     "curve",
+    "frames",
     "surface",
     "prefer",
     "domain",

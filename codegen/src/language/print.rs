@@ -154,6 +154,7 @@ impl fmt::Display for Clause {
                     CurveRole::Profile => "profile",
                     CurveRole::Path => "path",
                     CurveRole::Curve => "curve",
+                    CurveRole::Frames => "frames",
                 };
                 write!(f, "{keyword} {}({}) = {};", curve.name.value, curve.parameter.value, curve.value)
             }

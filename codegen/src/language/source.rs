@@ -1,6 +1,9 @@
 //! Text as a source of tokens: its name, its characters, and where each token stands in it.
 
+use std::fs::File;
+use std::io::Read;
 use std::ops::Range;
+use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Diagnostics};
 use super::report::Report;
@@ -103,6 +106,23 @@ pub fn decode<'a>(name: &str, bytes: &'a [u8]) -> Result<&'a str, Box<Report>> {
     let mut diagnostics = Diagnostics::new();
     diagnostics.push(Diagnostic::new(Span::at(SpanId(0)), message).help(help));
     Err(Box::new(Report::new(source, diagnostics)))
+}
+
+/// The text of a file that a source names as `name`.
+///
+/// # Errors
+/// Why there is none: no such file, no text, or more bytes than [`MAX_LENGTH`](super::MAX_LENGTH).
+pub fn read_input(path: &Path, name: &str) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    let limit = u64::try_from(super::MAX_LENGTH).unwrap_or(u64::MAX);
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    // Room for a byte-order mark, and for one byte that is too many.
+    file.take(limit + 4).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    if bytes.len() > super::MAX_LENGTH + 3 {
+        return Err(format!("it is longer than the limit of {} bytes", super::MAX_LENGTH));
+    }
+    let text = decode(name, &bytes).map_err(|report| report.message())?;
+    Ok(text.to_owned())
 }
 
 #[cfg(test)]

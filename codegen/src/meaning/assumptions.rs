@@ -70,6 +70,11 @@ impl Assumptions {
         Ok(Assumptions { scope, inequalities, samples: OnceCell::new() })
     }
 
+    /// The same assumptions in the scope of another piece.
+    pub(super) fn with_scope(&self, scope: Scope) -> Assumptions {
+        Assumptions { scope, inequalities: self.inequalities.clone(), samples: OnceCell::new() }
+    }
+
     /// The polynomials of which the inequalities say that they do not vanish.
     pub(super) fn nonzero(&self) -> Vec<Poly> {
         let excluding = self.inequalities.iter().filter(|inequality| !inequality.allows(Ordering::Equal));

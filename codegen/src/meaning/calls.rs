@@ -7,6 +7,7 @@ use hodograph_algebra::{Fraction, Poly, Variable, Vector};
 use super::expression::check_rational;
 use super::fault::Fault;
 use super::functions::function;
+use super::pieces;
 use super::scope::Scope;
 use super::value::{ComplexFraction, Value};
 use crate::language::Span;
@@ -31,7 +32,15 @@ pub(super) fn call(scope: &Scope, span: Span, callee: &Expr, arguments: &[Argume
                         .map_err(|error| Fault::curve(span, &error));
                 }
                 let value = super::members::member(scope, callee.span(), object, member)?;
-                return apply(scope, span, &value, &[curve.parameter().clone()], arguments);
+                return apply(scope, span, callee, &value, &[curve.parameter().clone()], arguments);
+            }
+            if let Value::Motion(motion) = owner.bare() {
+                let name = &member.value;
+                if let Some(moved) = super::frames::method(scope, motion, span, name, arguments) {
+                    return moved;
+                }
+                let value = super::frames::member(motion, callee.span(), member)?;
+                return apply(scope, span, callee, &value, &[motion.parameter().clone()], arguments);
             }
             let value = scope.evaluate(callee)?;
             apply_value(scope, span, callee, &value, arguments)
@@ -51,11 +60,13 @@ fn apply_value(
     arguments: &[Argument],
 ) -> Result<Value, Fault> {
     match value {
-        Value::Curve(curve) => apply(scope, span, value, &[curve.parameter().clone()], arguments),
-        Value::Surface(surface) => apply(scope, span, value, surface.parameters(), arguments),
-        Value::Function(function) => apply(scope, span, &function.value, &function.parameters, arguments),
+        Value::Curve(curve) => apply(scope, span, callee, value, &[curve.parameter().clone()], arguments),
+        Value::Surface(surface) => apply(scope, span, callee, value, surface.parameters(), arguments),
+        Value::Function(function) => {
+            apply(scope, span, callee, &function.value, &function.parameters, arguments)
+        }
         Value::Offset(offset) => match offset.as_ref() {
-            Ok(surface) => apply(scope, span, value, surface.parameters(), arguments),
+            Ok(surface) => apply(scope, span, callee, value, surface.parameters(), arguments),
             Err(error) => Err(Fault::offset(callee.span(), error)),
         },
         other => {
@@ -65,10 +76,11 @@ fn apply_value(
     }
 }
 
-/// The value for given values of the parameters.
+/// The value for given values of the parameters; where they belong to another piece, the value of `callee` there.
 fn apply(
     scope: &Scope,
     span: Span,
+    callee: &Expr,
     value: &Value,
     parameters: &[Variable],
     arguments: &[Argument],
@@ -83,6 +95,11 @@ fn apply(
     for (parameter, argument) in parameters.iter().zip(arguments) {
         let role = format!("the value of `{parameter}`");
         values.insert(parameter.clone(), scope.scalar(&argument.value, &role)?);
+    }
+    if let Some(index) = pieces::other_piece(scope, span, &values)?
+        && let Some(there) = pieces::in_piece(scope, index, |scope| call(scope, span, callee, arguments))
+    {
+        return there;
     }
     substitute(scope, span, value, &values)
 }

@@ -46,7 +46,7 @@ pub(super) fn curve(
     position: Vector,
     known: KnownProperties,
 ) -> Rc<Curve> {
-    let domain = scope.domains.get(parameter).cloned();
+    let domain = scope.whole_domain(parameter);
     Rc::new(Curve::new(parameter, over_least_field(&position), domain, known, scope.calculus.clone()))
 }
 
@@ -375,7 +375,7 @@ fn plain(
     known: KnownProperties,
     calculus: Rc<Calculus>,
 ) -> Curve {
-    let domain = scope.domains.get(&context.parameter).cloned();
+    let domain = scope.whole_domain(&context.parameter);
     Curve::new(&context.parameter, position, domain, known, calculus)
 }
 

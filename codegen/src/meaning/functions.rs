@@ -103,6 +103,12 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
             Ok(Value::Scalar(Poly::gcd_many(&polys).into()))
         }
         "resultant" => resultant(scope, call),
+        "continuity" => super::pieces::continuity(scope, call),
+        "bernstein" | "bernstein_coefficient" | "bernstein_product" => {
+            super::bernstein::function(scope, call)
+        }
+        "frame" => super::frames::frame(scope, call),
+        "frames" | "frames_file" => super::frames::motion(scope, call),
         "approx" | "coprime" | "is_rational" | "parallel" | "positive" => {
             let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
             Err(fault.help("relations stand in `claim` clauses"))

@@ -9,6 +9,7 @@ use super::curves::{self, CurveContext};
 use super::expression;
 use super::fault::Fault;
 use super::group::CoefficientGroup;
+use super::pieces::Piece;
 use super::scope::Scope;
 use super::value::{FunctionValue, Value};
 use crate::language::ast::{
@@ -57,7 +58,10 @@ pub struct Model {
     pub preference: Preference,
     /// The surface of a sweep.
     pub surface: Option<Rc<SweptSurface>>,
-    /// The claims, in the order of the source.
+    /// Which piece of an item in several pieces it is. Each piece is a model with a surface over the piece's own interval, called
+    /// by the name of the item, `_` and its number from 1; the pieces of an item follow one another.
+    pub piece: Option<Piece>,
+    /// The claims, in the order of the source. Of several pieces the first one has the claims, which are about all of them.
     pub claims: Vec<Claim>,
     /// The units of work that a derivation or a program of the surface may take; see [`models_within`].
     pub limit: u64,
@@ -101,25 +105,74 @@ pub fn models_within(file: &File, limit: u64) -> (Vec<Model>, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let mut models = Vec::new();
     let mut left = limit;
+    let inputs = Rc::new(file.inputs.clone());
     for item in &file.items {
-        let (model, spent) = budget::measured(|| model(item, limit, left, &mut diagnostics));
-        match model {
-            Some(model) => models.push(model),
-            None => debug_assert!(!diagnostics.is_empty()),
-        }
+        let before = diagnostics.count();
+        let inputs = &inputs;
+        let (pieces, spent) = budget::measured(|| pieces(item, inputs, limit, left, &mut diagnostics));
+        debug_assert!(!pieces.is_empty() || diagnostics.count() > before);
+        models.extend(pieces);
         left = left.saturating_sub(spent);
         if left == 0 {
             break;
         }
     }
+    check_piece_names(file, &models, &mut diagnostics);
     (models, diagnostics)
 }
 
-/// The model of an item, of which `left` units are left for its clauses.
-fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> Option<Model> {
-    let before = diagnostics.count();
+/// Reports a piece that would have the name of another item.
+fn check_piece_names(file: &File, models: &[Model], diagnostics: &mut Diagnostics) {
+    for model in models.iter().filter(|model| model.piece.is_some()) {
+        if let Some(item) = file.items.iter().find(|item| item.name.value == model.name) {
+            let message = format!("`{}` is also the name of a piece of `{}`", model.name, model.item_name());
+            diagnostics.push(Diagnostic::new(item.name.span, message).help("use another name"));
+        }
+    }
+}
+
+/// The texts of other files.
+type Inputs = Rc<BTreeMap<String, Result<String, String>>>;
+
+/// The models of an item, of which `left` units are left for its clauses: one, or one for each piece of a sweep in several
+/// pieces.
+fn pieces(item: &Item, inputs: &Inputs, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> Vec<Model> {
+    let shared = Rc::new(item.clone());
     let mut scope = Scope::new(parameters(item), limit);
     scope.left = left;
+    scope.item = Some(shared.clone());
+    scope.inputs = inputs.clone();
+    let Some(first) = model(item, scope.clone(), diagnostics) else { return Vec::new() };
+    let Some(joints) = first.scope.joints.clone().filter(|joints| joints.count() > 1) else {
+        return vec![first];
+    };
+    let count = joints.count();
+    let mut models = vec![first];
+    for index in 1..count {
+        scope.segment = index;
+        scope.left = models.last().map_or(0, |model| model.scope.left);
+        let Some(next) = model(item, scope.clone(), diagnostics) else { return Vec::new() };
+        models.push(next);
+    }
+    models[0].scope.siblings = models.iter().map(|model| model.scope.clone()).collect();
+    if item.kind == ItemKind::Lemma {
+        models.truncate(1);
+        return models;
+    }
+    for (index, model) in models.iter_mut().enumerate() {
+        let of = std::mem::replace(&mut model.name, format!("{}_{}", item.name.value, index + 1));
+        model.piece = Some(Piece { of, index, count });
+        if index > 0 {
+            model.claims.clear();
+        }
+    }
+    models
+}
+
+/// The model of an item, or of one piece of it, in a scope that knows no names yet.
+fn model(item: &Item, mut scope: Scope, diagnostics: &mut Diagnostics) -> Option<Model> {
+    let before = diagnostics.count();
+    let limit = scope.limit;
     scope.has_surface = surface_place(item).is_some();
     for name in parameter_names(item) {
         if let Some(taken) = scope.reserved(&name.value) {
@@ -128,7 +181,6 @@ fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> O
         }
     }
     let prefixes = symbolic_curves(item) > 1;
-    scope.item = Some(Rc::new(item.clone()));
     for fault in run(item, &mut scope, prefixes) {
         fault.into_diagnostics().into_iter().for_each(|one| diagnostics.push(one));
     }
@@ -167,6 +219,7 @@ fn model(item: &Item, limit: u64, left: u64, diagnostics: &mut Diagnostics) -> O
         formula: formula(item, surface.as_deref()),
         preference: preference.unwrap_or_default(),
         surface,
+        piece: None,
         claims,
         path: item.clauses.iter().find_map(|clause| match &clause.kind {
             ClauseKind::Curve(curve) if curve.role == CurveRole::Path => Some(curve.name.value.clone()),
@@ -227,17 +280,24 @@ fn run(item: &Item, scope: &mut Scope, prefixes: bool) -> Vec<Fault> {
 /// The scope of an item where symbols have the given values: all of its clauses are evaluated anew, since a parametric
 /// speed, a gcd or a degree does not follow from its general form.
 pub(super) fn with_settings(
+    known: &Scope,
     item: &Rc<Item>,
     settings: BTreeMap<Variable, Fraction>,
-    limit: u64,
 ) -> Result<Scope, Fault> {
-    let mut scope = Scope::new(parameters(item), limit);
-    scope.item = Some(item.clone());
-    scope.settings = settings;
-    match run(item, &mut scope, symbolic_curves(item) > 1).into_iter().next() {
-        None => Ok(scope),
-        Some(fault) => Err(fault),
-    }
+    let piece = |segment: usize| {
+        let mut scope = Scope::new(parameters(item), known.limit);
+        scope.item = Some(item.clone());
+        scope.settings = settings.clone();
+        scope.inputs = known.inputs.clone();
+        scope.segment = segment;
+        match run(item, &mut scope, symbolic_curves(item) > 1).into_iter().next() {
+            None => Ok(scope),
+            Some(fault) => Err(fault),
+        }
+    };
+    let mut scope = piece(known.segment)?;
+    scope.siblings = (0..known.siblings.len()).map(piece).collect::<Result<_, _>>()?;
+    Ok(scope)
 }
 
 /// The clauses that define the surface, one a line; symbols that only claims use are left out.
@@ -401,6 +461,12 @@ fn surface_of(scope: &mut Scope, item: &Item, expr: &Expr, role: &str) -> Result
                     .help(format!("add `domain {parameter} in 0..1;`"))
             })
         };
+        if let Some(joints) = scope.joints.as_ref().filter(|joints| joints.parameter != parameters[1]) {
+            let message =
+                format!("the frames run along `{}`, which must be the second parameter", joints.parameter);
+            let help = format!("write `surface R(u, {}) = …`", joints.parameter);
+            return Err(Fault::new(item.name.span, message).help(help));
+        }
         let domain = [domain(&parameters[0])?, domain(&parameters[1])?];
         check_surface_variables(scope, &position, &parameters, expr.span())?;
         let surface = SweptSurface::new(position, parameters, domain);
@@ -498,6 +564,22 @@ fn curve_value(
     value: &Value,
     span: Span,
 ) -> Result<Value, Fault> {
+    match (role, value.bare()) {
+        (CurveRole::Frames, Value::Motion(_)) => return Ok(value.clone()),
+        (CurveRole::Frames, other) => {
+            let fault = Fault::new(span, format!("a motion is expected here, but this is {}", other.kind()));
+            return Err(
+                fault.help("write `frames F(v) = frames([…]);` or `frames F(v) = frames_file(\"…\");`")
+            );
+        }
+        (_, Value::Motion(_)) => {
+            let fault = Fault::new(span, "a motion is no curve");
+            return Err(
+                fault.help("its clause is `frames F(v) = …;`, and the curve of its positions `F.position`")
+            );
+        }
+        _ => {}
+    }
     if let Value::Curve(curve) = value.bare()
         && curve.parameter() == parameter
     {
@@ -509,7 +591,7 @@ fn curve_value(
         let what = match role {
             CurveRole::Profile => "a profile",
             CurveRole::Path => "a path",
-            CurveRole::Curve => "a curve",
+            CurveRole::Curve | CurveRole::Frames => "a curve",
         };
         let fault = Fault::new(span, format!("{what} must be a vector, but this is {}", value.kind()));
         fault.help("write `x*i + z*k`, `(x, y)` or `(x, y, z)`")
@@ -631,10 +713,16 @@ impl Model {
     pub fn with_values(&self, values: &BTreeMap<Variable, Poly>) -> Result<Model, Box<Diagnostic>> {
         let settings = values.iter().map(|(symbol, value)| (symbol.clone(), value.clone().into())).collect();
         let scope = match &self.scope.item {
-            Some(item) => with_settings(item, settings, self.limit).map_err(|fault| fault.diagnostic)?,
+            Some(item) => with_settings(&self.scope, item, settings).map_err(|fault| fault.diagnostic)?,
             None => self.scope.clone(),
         };
         Ok(Model { surface: scope.surface.clone(), scope, ..self.clone() })
+    }
+
+    /// The name of the item in the source; that of a [piece](Model::piece) has its number behind it.
+    #[must_use]
+    pub fn item_name(&self) -> &str {
+        self.piece.as_ref().map_or(&self.name, |piece| &piece.of)
     }
 
     /// The symbols that are coefficients of curves, in the order of the clauses.

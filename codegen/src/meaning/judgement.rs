@@ -9,6 +9,7 @@ use super::expression::shortened;
 use super::fault::Fault;
 use super::generic;
 use super::item::{Model, check_names};
+use super::pieces;
 use super::relation::{self, Finding};
 use super::scope::Scope;
 use crate::language::ast::{Claim, ClauseKind, Expr, ExprKind, ItemKind, Verdict};
@@ -82,7 +83,13 @@ impl Model {
         let outcome = budget::with_budget(limit, || {
             let assumptions = Assumptions::of(&self.scope, &claim.conditions)?;
             check_names_at_once(&assumptions.scope, &claim.relation)?;
-            let finding = relation::settle(&assumptions, &claim.relation)?;
+            let findings = if assumptions.scope.siblings.is_empty() {
+                vec![relation::settle(&assumptions, &claim.relation)?]
+            } else {
+                let settle = |scope: Scope| relation::settle(&assumptions.with_scope(scope), &claim.relation);
+                assumptions.scope.pieces().into_iter().map(settle).collect::<Result<Vec<_>, Fault>>()?
+            };
+            let finding = pieces::merged(&claim.relation, assumptions.scope.joints.as_ref(), findings);
             Ok::<_, Fault>((assumptions, finding))
         });
         let (assumptions, finding) = match outcome {
@@ -115,7 +122,7 @@ impl Model {
         conditions.retain(|condition| stated.insert(condition.clone()));
         Ok(Judgement {
             id: claim.id.value.clone(),
-            sweep: self.name.clone(),
+            sweep: self.item_name().to_owned(),
             source: self.source.clone(),
             statement: claim.relation.to_string(),
             notes: claim.notes.iter().map(|note| note.value.clone()).collect(),
@@ -174,7 +181,7 @@ impl Model {
         parts.extend(curves.iter().map(|curve| format!("{every} curve {curve}")));
         match (parts.is_empty(), self.kind) {
             (false, _) => parts.join(" and "),
-            (true, ItemKind::Sweep) => format!("the sweep {}", self.name),
+            (true, ItemKind::Sweep) => format!("the sweep {}", self.item_name()),
             (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
         }
     }

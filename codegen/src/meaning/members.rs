@@ -37,6 +37,7 @@ pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) ->
     let name = member.value.as_str();
     match value.bare() {
         Value::Curve(curve) => curve_member(curve, span, member),
+        Value::Motion(motion) => super::frames::member(motion, span, member),
         Value::Surface(surface) => surface_member(surface, member),
         Value::Offset(offset) => match offset.as_ref() {
             Ok(surface) => surface_member(surface, member),

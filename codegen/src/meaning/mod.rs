@@ -557,10 +557,13 @@
 //! ```
 
 mod assumptions;
+mod bernstein;
 mod calls;
 mod curves;
 mod expression;
 mod fault;
+mod frames;
+mod frames_file;
 mod functions;
 mod generic;
 mod group;
@@ -568,6 +571,7 @@ mod item;
 mod judgement;
 mod members;
 mod number;
+mod pieces;
 mod relation;
 mod scope;
 mod value;
@@ -578,3 +582,4 @@ pub use group::{CoefficientGroup, CoefficientKind};
 pub use item::{Model, models, models_within};
 pub use judgement::Judgement;
 pub use number::number;
+pub use pieces::Piece;

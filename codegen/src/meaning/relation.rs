@@ -74,7 +74,7 @@ impl Finding {
         self.about_variables(values.into_iter().flat_map(Fraction::occurring_variables))
     }
 
-    fn about_variables(mut self, variables: impl IntoIterator<Item = Variable>) -> Finding {
+    pub(super) fn about_variables(mut self, variables: impl IntoIterator<Item = Variable>) -> Finding {
         self.variables.extend(variables);
         self.variables.sort();
         self.variables.dedup();

@@ -10,6 +10,7 @@ use hodograph_algebra::{
 
 use super::fault::Fault;
 use super::group::CoefficientGroup;
+use super::pieces::Joints;
 use super::value::{ComplexFraction, Value};
 use crate::language::ast::{Item, Name};
 use crate::language::{Diagnostic, Span, closest};
@@ -18,8 +19,12 @@ use crate::language::{Diagnostic, Span, closest};
 pub(super) const FUNCTIONS: &[&str] = &[
     "abs",
     "approx",
+    "bernstein",
+    "bernstein_coefficient",
+    "bernstein_product",
     "bezier",
     "conj",
+    "continuity",
     "coprime",
     "cos",
     "cross",
@@ -28,6 +33,9 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "diff",
     "dot",
     "exp",
+    "frame",
+    "frames",
+    "frames_file",
     "gcd",
     "homogeneous",
     "im",
@@ -62,6 +70,7 @@ type KnownConditions = (Homogeneous, Option<Rc<Conditions>>);
 struct News {
     groups: Vec<CoefficientGroup>,
     calculus: Option<Rc<Calculus>>,
+    joints: Option<Joints>,
 }
 
 /// The names of one item and their values.
@@ -94,6 +103,14 @@ pub(super) struct Scope {
     pub(super) settings: BTreeMap<Variable, Fraction>,
     /// The item's own surface.
     pub(super) surface: Option<Rc<SweptSurface>>,
+    /// The texts of other files that the source names.
+    pub(super) inputs: Rc<BTreeMap<String, Result<String, String>>>,
+    /// Which piece is evaluated, from 0.
+    pub(super) segment: usize,
+    /// Where the pieces meet, once frames have been read.
+    pub(super) joints: Option<Joints>,
+    /// The scopes of all pieces, where a claim is checked; none if there is one piece only.
+    pub(super) siblings: Rc<[Scope]>,
     /// The units of work for all clauses together, and what is left of them.
     pub(super) limit: u64,
     pub(super) left: u64,
@@ -117,6 +134,10 @@ impl Scope {
             item: None,
             settings: BTreeMap::new(),
             surface: None,
+            inputs: Rc::default(),
+            segment: 0,
+            joints: None,
+            siblings: Rc::new([]),
             limit,
             left: limit,
         }
@@ -132,11 +153,19 @@ impl Scope {
         self.news.borrow_mut().calculus = Some(calculus);
     }
 
+    /// Introduces the joints of a motion with the clause under way.
+    pub(super) fn announce_joints(&self, joints: Joints) {
+        self.news.borrow_mut().joints = Some(joints);
+    }
+
     /// Takes over what the clause that stands at `span` has introduced.
     pub(super) fn settle(&mut self, span: Span) -> Result<(), Fault> {
         let news = self.news.take();
         if let Some(calculus) = news.calculus {
             self.calculus = calculus;
+        }
+        if let Some(joints) = news.joints {
+            self.cut(joints, span)?;
         }
         let mut symbols: Vec<Variable> = news.groups.iter().flat_map(|group| group.rows.concat()).collect();
         symbols.sort();
@@ -146,6 +175,24 @@ impl Scope {
             let name = Name { value: symbol.name().to_owned(), span };
             self.define_symbol(&name)?;
         }
+        Ok(())
+    }
+
+    /// Cuts the interval of a parameter at the knots of frames: what follows is about one of the pieces.
+    fn cut(&mut self, joints: Joints, span: Span) -> Result<(), Fault> {
+        let parameter = joints.parameter.clone();
+        let stated = self.domains.get(&parameter).filter(|_| self.joints.is_none());
+        if let (Some(stated), Some(whole)) = (stated, joints.whole())
+            && *stated != whole
+        {
+            let message =
+                format!("the frames run through {whole}, but the domain of `{parameter}` is {stated}");
+            return Err(Fault::new(span, message).help("leave out the domain, or give `knots` that fill it"));
+        }
+        if let Some(interval) = joints.interval(self.segment) {
+            self.domains.insert(parameter, interval);
+        }
+        self.joints = Some(joints);
         Ok(())
     }
 
@@ -302,7 +349,7 @@ impl Scope {
         }
         settings.insert(symbol.clone(), value.clone());
         let Some(item) = &self.item else { return Err(Fault::silent(span)) };
-        super::item::with_settings(item, settings, self.limit).map_err(|fault| {
+        super::item::with_settings(self, item, settings).map_err(|fault| {
             let message = format!("where {symbol} = {value}: {}", fault.diagnostic.message);
             let told = Fault::new(span, message);
             if fault.undecidable { told.undecidable() } else { told }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::rc::Rc;
 
-use hodograph_algebra::{Curve, Fraction, OffsetError, SweptSurface, Variable, Vector};
+use hodograph_algebra::{Curve, Fraction, Frame, MotionSegment, OffsetError, SweptSurface, Variable, Vector};
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -24,6 +24,10 @@ pub(super) enum Value {
     Surface(Rc<SweptSurface>),
     /// A surface that may not be rational: the offset of a surface.
     Offset(Rc<Result<SweptSurface, OffsetError>>),
+    /// A frame, `frame(…)`.
+    Frame(Rc<Frame>),
+    /// A segment of a motion through frames.
+    Motion(Rc<MotionSegment>),
     /// A function of parameters, `let c(v) = …`.
     Function(Rc<FunctionValue>),
     /// The degrees of polynomials.
@@ -120,6 +124,8 @@ impl Value {
             Value::Curve(_) => "a curve",
             Value::Surface(_) => "a surface",
             Value::Offset(_) => "an offset surface",
+            Value::Frame(_) => "a frame",
+            Value::Motion(_) => "a motion",
             Value::Function(_) => "a function",
             Value::Degree(_) => "a degree",
         }

@@ -38,13 +38,14 @@ struct Output<'a> {
 pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let limit = arguments.budget.limit;
     let document = input::load(&arguments.input.input, limit)?;
-    let model = document.sweep(arguments.input.sweep.as_deref())?;
-    let surface =
-        model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
+    let pieces = document.sweep(arguments.input.sweep.as_deref())?;
     let parameters = [
         number("--u", "the first parameter", &arguments.u, limit)?,
         number("--v", "the second parameter", &arguments.v, limit)?,
     ];
+    let model = piece_at(&pieces, &parameters)?;
+    let surface =
+        model.surface.as_ref().ok_or_else(|| Failure::new(format!("`{}` has no surface", model.name)))?;
     let settings = settings(&arguments.set, limit)?;
     let symbols = surface.symbols();
     let distance = quantity::distance(surface, arguments.what);
@@ -82,6 +83,16 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
         Format::Text => text(&result, &numbers, surface.parameters(), arguments.what),
     })?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The piece to which values of the parameters belong: at a joint the one before it, beyond all of them the nearest one.
+fn piece_at<'a>(pieces: &[&'a Model], values: &[Poly; 2]) -> Result<&'a Model, Failure> {
+    let reaches = |model: &&&Model| {
+        let surface = model.surface.as_ref();
+        surface.is_some_and(|surface| values[1].compare(surface.domain()[1].upper()).is_le())
+    };
+    let found = pieces.iter().find(reaches).or(pieces.last());
+    found.copied().ok_or_else(|| Failure::new("there is no surface"))
 }
 
 /// The values of `--set`.

@@ -43,6 +43,24 @@ struct Degrees {
     raw: Bidegree,
 }
 
+impl Entry {
+    /// Adds another piece of the same sweep: its degrees, of which the largest count.
+    fn extend(&mut self, piece: Entry) {
+        let degrees = self.degrees.take().zip(piece.degrees).map(|(own, other)| {
+            let largest = |a: Bidegree, b: Bidegree| Bidegree { u: a.u.max(b.u), v: a.v.max(b.v) };
+            let [w, x, y, z] = own.coordinates;
+            let [a, b, c, d] = other.coordinates;
+            Degrees {
+                coordinates: [largest(w, a), largest(x, b), largest(y, c), largest(z, d)],
+                patch: largest(own.patch, other.patch),
+                raw: largest(own.raw, other.raw),
+            }
+        });
+        self.degrees = degrees;
+        self.judgements.extend(piece.judgements);
+    }
+}
+
 /// Runs the command.
 ///
 /// # Errors
@@ -72,7 +90,11 @@ fn check_all(documents: &[Document], limit: u64) -> Result<Vec<Entry>, Failure> 
         let mut left = limit.saturating_mul(FULL_CLAIMS);
         for model in document.models() {
             progress.show(&format!("checking {}", model.name));
-            entries.push(check(model, &mut left, &mut diagnostics));
+            let entry = check(model, &mut left, &mut diagnostics);
+            match (&model.piece, entries.last_mut()) {
+                (Some(piece), Some(whole)) if piece.index > 0 => Entry::extend(whole, entry),
+                _ => entries.push(entry),
+            }
         }
         if !diagnostics.is_empty() {
             failures.push(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
@@ -114,7 +136,13 @@ fn check(model: &Model, left: &mut u64, diagnostics: &mut Diagnostics) -> Entry 
         }
         *left = left.saturating_sub(spent);
     }
-    Entry { kind: model.kind, name: model.name.clone(), source: model.source.clone(), degrees, judgements }
+    Entry {
+        kind: model.kind,
+        name: model.item_name().to_owned(),
+        source: model.source.clone(),
+        degrees,
+        judgements,
+    }
 }
 
 /// The exit status for these verdicts.
