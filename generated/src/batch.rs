@@ -102,6 +102,12 @@ impl<'a, S: Sweep, T> Batch<'a, S, T> {
 }
 
 impl<'a, S: Stages<T>, T: Task> Batch<'a, S, T> {
+    /// A task of a surface in a variant.
+    #[inline(always)]
+    pub(crate) fn with(surface: &'a S, variant: Option<Variant>) -> Self {
+        Self { surface, variant, task: PhantomData }
+    }
+
     /// Evaluates at every (u, v) of a grid: the item of (`us[i]`, `vs[j]`) is that at `j * us.len() + i`, a row for each v.
     ///
     /// What depends on one parameter alone is computed once for many points. Returns the number of points without a normal,
@@ -203,6 +209,14 @@ impl Failures {
         self.count += 1;
     }
 
+    /// Adds those of a part of the output that begins at the place `start`.
+    pub(crate) fn add_all(&mut self, part: Failures, start: usize) {
+        if self.count == 0 {
+            self.first = start + part.first;
+        }
+        self.count += part.count;
+    }
+
     #[inline(always)]
     pub(crate) fn result<T: Task>(self) -> Result<usize, BatchError> {
         if T::NEEDS_NORMAL || self.count == 0 {
@@ -261,11 +275,11 @@ impl<S: Stages<T>, T: Task, F: Float, O: Output<F, T>> Grid<'_, S, T, F, O> {
     }
 }
 
-struct Points<'a, S, T, F, O> {
-    batch: Batch<'a, S, T>,
-    us: &'a [F],
-    vs: &'a [F],
-    out: &'a mut O,
+pub(crate) struct Points<'a, S, T, F, O> {
+    pub(crate) batch: Batch<'a, S, T>,
+    pub(crate) us: &'a [F],
+    pub(crate) vs: &'a [F],
+    pub(crate) out: &'a mut O,
 }
 
 impl<S: Stages<T>, T: Task, F: Float, O: Output<F, T>> Kernel<F> for Points<'_, S, T, F, O> {

@@ -42,7 +42,8 @@ impl Bound {
     }
 }
 
-fn place<F: Float>(variant: Variant) -> usize {
+/// The place in the arrays of [`Bound`] of a precision and a variant.
+pub(crate) fn place<F: Float>(variant: Variant) -> usize {
     // Whatever is not single precision is double.
     let single = size_of::<F>() == size_of::<f32>();
     2 * usize::from(single) + usize::from(variant == Variant::Fused)

@@ -78,6 +78,7 @@ mod output;
 #[cfg(feature = "rayon")]
 mod parallel;
 pub mod ph;
+mod pieces;
 mod real;
 #[cfg(feature = "sources")]
 mod sources;
@@ -95,12 +96,13 @@ pub use dispatch::Variant;
 pub use family::ParameterError;
 pub use hodograph_macros::sweep;
 pub use output::{Item, Output, Window};
+pub use pieces::{Pieces, Piecewise, PiecewiseBatch, Visitor};
 pub use real::{Float, Fused, Plain, Real, Rounded, horner};
 #[cfg(feature = "sources")]
 pub use sources::{Source, inputs, runtime, sources};
 pub use surface::{Domain, Patch, Surface, offset_net};
 pub use task::{
-    First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Stages, Sweep, Task,
+    First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Staged, Stages, Sweep, Task,
 };
 pub use tracked::{NumberBound, error_bounds};
 pub use undefined::Undefined;

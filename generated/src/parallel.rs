@@ -3,8 +3,9 @@
 use crate::batch::{Batch, BatchError, Failures, Grid};
 use crate::dispatch::run;
 use crate::output::Output;
+use crate::pieces::{Pieces, PiecewiseBatch};
 use crate::real::Float;
-use crate::task::{Stages, Task};
+use crate::task::{Staged, Stages, Sweep, Task};
 
 /// Points below which a grid is not divided further: some tens of microseconds of work.
 const POINTS: usize = 1 << 14;
@@ -26,6 +27,7 @@ impl<S: Stages<T> + Sync, T: Task> Batch<'_, S, T> {
     }
 }
 
+/// Evaluates a grid, on several threads where it is large.
 fn divide<S: Stages<T> + Sync, T: Task, F: Float>(
     batch: Batch<'_, S, T>,
     us: &[F],
@@ -38,11 +40,40 @@ fn divide<S: Stages<T> + Sync, T: Task, F: Float>(
     let (first, second) = vs.split_at(vs.len() / 2);
     let middle = us.len() * first.len();
     let (before, after) = out.split(middle);
-    let (failures, others) =
+    let (mut failures, others) =
         rayon::join(|| divide(batch, us, first, before), || divide(batch, us, second, after));
-    Failures {
-        count: failures.count + others.count,
-        first: if failures.count > 0 { failures.first } else { middle + others.first },
+    failures.add_all(others, middle);
+    failures
+}
+
+impl<P: Pieces, T: Task> PiecewiseBatch<P, T> {
+    /// Evaluates at every (u, v) of a grid as [`grid`](PiecewiseBatch::grid) does, to the bit, with rows divided among the threads of
+    /// Rayon's current pool.
+    ///
+    /// # Errors
+    /// As for [`grid`](PiecewiseBatch::grid).
+    pub fn parallel_grid<F: Float>(
+        &self,
+        us: &[F],
+        vs: &[F],
+        out: impl Output<F, T>,
+    ) -> Result<usize, BatchError> {
+        self.on_grid(us, vs, out, |piece, us, vs, out| self.staged(piece, OnThreads { us, vs, out }))
+    }
+}
+
+struct OnThreads<'a, F, O> {
+    us: &'a [F],
+    vs: &'a [F],
+    out: O,
+}
+
+impl<F: Float, T: Task, O: Output<F, T>> Staged<T> for OnThreads<'_, F, O> {
+    type Output = Failures;
+
+    #[inline(always)]
+    fn visit<S: Sweep + Stages<T>>(self, piece: &S) -> Failures {
+        divide(Batch::with(piece, piece.variant()), self.us, self.vs, self.out)
     }
 }
 

@@ -49,6 +49,7 @@ pub const fn runtime() -> &'static [Source] {
         Source { name: "family", text: include_str!("family.rs") },
         Source { name: "machine", text: include_str!("fixed.rs") },
         Source { name: "output", text: include_str!("output.rs") },
+        Source { name: "pieces", text: include_str!("pieces.rs") },
         Source { name: "real", text: include_str!("real.rs") },
         Source { name: "surface", text: include_str!("surface.rs") },
         Source { name: "task", text: include_str!("task.rs") },

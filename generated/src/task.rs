@@ -100,6 +100,18 @@ pub trait Task: Copy + Default + Send + Sync + 'static {
 
     /// Whether the task has no result where the surface has no normal, as for [`Normal`] and [`Local`].
     const NEEDS_NORMAL: bool;
+
+    /// Hands a sweep over, which has the stages of every task, as a surface with those of this one.
+    fn staged<S: Sweep, V: Staged<Self>>(surface: &S, visitor: V) -> V::Output;
+}
+
+/// What is done with a surface that has the stages of a task, whichever surface and task they are.
+pub trait Staged<T: Task> {
+    /// The result.
+    type Output;
+
+    /// Does it.
+    fn visit<S: Sweep + Stages<T>>(self, surface: &S) -> Self::Output;
 }
 
 macro_rules! tasks {
@@ -112,6 +124,11 @@ macro_rules! tasks {
             impl Task for $name {
                 type Values<R: Copy + Default> = [R; $length];
                 const NEEDS_NORMAL: bool = $normal;
+
+                #[inline(always)]
+                fn staged<S: Sweep, V: Staged<Self>>(surface: &S, visitor: V) -> V::Output {
+                    visitor.visit(surface)
+                }
             }
         )*
     };
@@ -219,7 +236,7 @@ impl<S: Sweep> Sweep for &S {
 macro_rules! forward {
     ($($surface:ty, |$self:ident| $inner:expr;)*) => {
         $(
-            impl<S: Patch> Patch for $surface {
+            impl<S: Patch> crate::surface::Patch for $surface {
                 fn name(&self) -> &str {
                     let $self = self;
                     $inner.name()
@@ -242,7 +259,7 @@ macro_rules! forward {
                 }
             }
 
-            impl<T: Task, S: Stages<T>> Stages<T> for $surface {
+            impl<T: crate::task::Task, S: crate::task::Stages<T>> crate::task::Stages<T> for $surface {
                 type OfU<R: Copy + Default> = S::OfU<R>;
                 type OfV<R: Copy + Default> = S::OfV<R>;
 
@@ -265,6 +282,8 @@ macro_rules! forward {
         )*
     };
 }
+
+pub(crate) use forward;
 
 forward! {
     Pinned<S>, |pinned| pinned.surface;
