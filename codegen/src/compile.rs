@@ -4,17 +4,22 @@
 //! Model --derive--> Derivation --schedule--> Program, exact --check--> --round--> Program, floats --emit--> tokens
 //! ```
 
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
 use std::fmt;
 
 use hodograph_algebra::budget::{self, Exhausted};
-use hodograph_algebra::{BoxSign, ControlNet, Derivation, Essentials, OffsetError, Poly, Rational, Variable};
+use hodograph_algebra::{
+    BoxSign, ControlNet, Derivation, Essentials, Fraction, OffsetError, Poly, Rational, SweptSurface,
+    Variable,
+};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::{self, Artifact, Setting};
+use crate::emit::{self, Artifact, PieceOf, Setting};
 use crate::language::ast::{self, ExprKind, File, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
-use crate::meaning::{Model, models};
+use crate::meaning::{Model, Piece, models};
 use crate::offset::OffsetPatch;
 use crate::proofs::proofs;
 use crate::round::{self, RoundError};
@@ -221,9 +226,58 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
         control_net,
         proofs,
         offset,
+        piece: model.piece.as_ref().map(|piece| piece_of(piece, v.lower())).transpose()?,
         symbols,
         program,
     })
+}
+
+/// The place of a surface that begins at an exact v, among the pieces of a larger one.
+fn piece_of(piece: &Piece, start: &Poly) -> Result<PieceOf, CompileError> {
+    let nearest = round::nearest(start).map_err(CompileError::Round)?;
+    let difference = round::exact(nearest).map(|float| (&Poly::from(float) - start).sign());
+    Ok(PieceOf {
+        of: piece.of.clone(),
+        index: piece.index,
+        count: piece.count,
+        start: if difference == Some(Ordering::Less) { nearest.next_up() } else { nearest },
+        start_is_exact: difference == Some(Ordering::Equal),
+        meets: false,
+    })
+}
+
+/// The artifacts of models, in their order; of pieces of one surface that follow one another it is known whether they meet.
+pub fn compile_all<'a>(
+    models: impl IntoIterator<Item = &'a Model>,
+) -> Vec<(&'a Model, Result<Artifact, CompileError>)> {
+    let mut previous: Option<&Model> = None;
+    let mut artifacts = Vec::new();
+    for model in models {
+        let mut artifact = compile(model);
+        if let (Ok(Artifact { piece: Some(piece), .. }), Some(before)) = (&mut artifact, previous) {
+            piece.meets = before.item_name() == model.item_name()
+                && budget::with_budget(model.limit, || meets(before, model)).unwrap_or(false);
+        }
+        artifacts.push((model, artifact));
+        previous = Some(model);
+    }
+    artifacts
+}
+
+/// Whether a piece begins with exactly the points with which another one ends.
+fn meets(before: &Model, model: &Model) -> bool {
+    let (Some(first), Some(second)) = (&before.surface, &model.surface) else { return false };
+    let [_, v] = second.domain();
+    let points = |surface: &SweptSurface| {
+        let [_, parameter] = surface.parameters();
+        let at = BTreeMap::from([(parameter.clone(), Fraction::from(v.lower().clone()))]);
+        let value = |component: &Fraction| {
+            component.substitute(&at).or_else(|| component.lowest_terms().substitute(&at))
+        };
+        surface.position().components().iter().map(value).collect::<Option<Vec<_>>>()
+    };
+    let (ends, begins) = (points(first), points(second));
+    ends.is_some() && ends == begins
 }
 
 /// The expansion of a file: a module for each sweep. Lemmas generate nothing.
@@ -250,15 +304,18 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
 #[must_use]
 pub fn expand(file: &File) -> (TokenStream, Diagnostics) {
     let (models, mut diagnostics) = models(file);
-    let mut tokens = TokenStream::new();
-    for model in models.iter().filter(|model| model.kind == ItemKind::Sweep) {
+    let sweeps = || models.iter().filter(|model| model.kind == ItemKind::Sweep);
+    for model in sweeps() {
         check_claims(model, &mut diagnostics);
-        match compile(model) {
-            Ok(artifact) => tokens.extend(emit::module(&artifact, &quote!(::hodograph))),
+    }
+    let mut artifacts = Vec::new();
+    for (model, artifact) in compile_all(sweeps()) {
+        match artifact {
+            Ok(artifact) => artifacts.push(artifact),
             Err(error) => diagnostics.push(Diagnostic::new(model.place, error.to_string())),
         }
     }
-    (tokens, diagnostics)
+    (emit::modules(&artifacts, &quote!(::hodograph)), diagnostics)
 }
 
 fn check_claims(model: &Model, diagnostics: &mut Diagnostics) {

@@ -54,6 +54,35 @@ pub struct Proofs {
     pub certificates: Vec<String>,
 }
 
+impl Proofs {
+    /// What holds on all of several surfaces; `None` of no surface.
+    #[must_use]
+    pub fn together(all: &[&Proofs]) -> Option<Proofs> {
+        let (first, others) = all.split_first()?;
+        let mut together = Proofs { bounds: first.bounds.clone(), certificates: Vec::new() };
+        for proofs in others {
+            for (bound, other) in together.bounds.iter_mut().zip(&proofs.bounds) {
+                bound.join(other);
+            }
+        }
+        Some(together)
+    }
+}
+
+impl OutputBound {
+    /// Makes it a bound for the output of another surface too.
+    fn join(&mut self, other: &OutputBound) {
+        let raise = |bounds: &mut [f64], others: &[f64]| {
+            bounds.iter_mut().zip(others).for_each(|(bound, &other)| *bound = bound.max(other));
+        };
+        raise(&mut self.errors, &other.errors);
+        raise(&mut self.relative_errors, &other.relative_errors);
+        raise(&mut self.relative_errors_of_results, &other.relative_errors_of_results);
+        self.size = self.size.max(other.size);
+        self.failure = self.failure.take().or_else(|| other.failure.clone());
+    }
+}
+
 /// Proves bounds for a program over the domain of the surface, and where the surface has neither poles nor singular points.
 pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: &Program<f64>) -> Proofs {
     let domain = derivation.domain.each_ref().map(|interval| hull(interval.lower(), interval.upper()));

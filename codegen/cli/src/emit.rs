@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use hodograph_codegen::compile::compile;
+use hodograph_codegen::compile::compile_all;
 use hodograph_codegen::emit;
 use hodograph_codegen::language::{Diagnostic, Diagnostics, Report};
 use quote::quote;
@@ -38,9 +38,10 @@ fn source(document: &Document, arguments: &EmitArguments) -> Result<String, Fail
     let progress = Progress::new();
     let mut artifacts = Vec::new();
     let mut diagnostics = Diagnostics::new();
-    for model in document.sweeps(arguments.input.sweep.as_deref())? {
-        progress.show(&format!("compiling {}", model.name));
-        match compile(model) {
+    let models = document.sweeps(arguments.input.sweep.as_deref())?;
+    let shown = models.into_iter().inspect(|model| progress.show(&format!("compiling {}", model.name)));
+    for (model, artifact) in compile_all(shown) {
+        match artifact {
             Ok(artifact) => artifacts.push(artifact),
             Err(error) => diagnostics.push(Diagnostic::new(model.place, error.to_string())),
         }
@@ -56,7 +57,7 @@ fn source(document: &Document, arguments: &EmitArguments) -> Result<String, Fail
             hodograph::runtime().iter().map(|file| (file.name, file.text)).collect();
         emit::standalone(&artifacts, &runtime)
     } else {
-        emit::format(artifacts.iter().map(|artifact| emit::module(artifact, &quote!(::hodograph))).collect())
+        emit::format(emit::modules(&artifacts, &quote!(::hodograph)))
     };
     text.map_err(|error| Failure::new(format!("the generated source is not valid Rust: {error}")))
 }

@@ -42,6 +42,44 @@ pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
     lines
 }
 
+/// The lines of the documentation of a surface of several pieces, in Markdown.
+pub(super) fn of_pieces(name: &str, pieces: &[Artifact]) -> Vec<String> {
+    let Some(first) = pieces.first() else { return Vec::new() };
+    let mut lines: Vec<String> = first.documentation.clone();
+    if lines.is_empty() {
+        lines.push(format!("The surface `{name}`."));
+    }
+    lines.extend([String::new(), "```text".to_string()]);
+    lines.extend(first.formula.lines().map(str::to_string));
+    lines.extend(["```".to_string(), String::new()]);
+    if let Some(source) = &first.source {
+        lines.extend([format!("Source: `{}`.", source.replace('`', "'")), String::new()]);
+    }
+    lines.push(format!("It consists of {} pieces:", pieces.len()));
+    lines.extend([String::new(), "| piece | v | degree |".to_string(), "| --- | --- | --- |".to_string()]);
+    for piece in pieces {
+        let ([_, [start, end]], (m, n)) = (piece.domain, piece.degree);
+        lines.push(format!("| [`{0}`](super::{0}) | from {start:?} to {end:?} | ({m}, {n}) |", piece.name));
+    }
+    lines.push(String::new());
+    let [plain, fused, single_plain, single_fused] = super::pieces::jumps(pieces);
+    if plain.is_finite() {
+        lines.push(format!(
+            "They meet exactly. The points that two neighbors compute at a joint differ by {plain:e} at most in `f64` plain, {fused:e} \
+             fused, {single_plain:e} in `f32` plain, {single_fused:e} fused."
+        ));
+    } else if pieces.iter().skip(1).all(|piece| piece.piece.as_ref().is_some_and(|piece| piece.meets)) {
+        lines.push(
+            "They meet exactly. How far rounding separates their points at the joints is not proved."
+                .to_string(),
+        );
+    } else {
+        lines.push("Not all of them meet.".to_string());
+    }
+    lines.extend(super::pieces::proofs(pieces).as_ref().map(bounds).unwrap_or_default());
+    lines
+}
+
 fn words(name: &str) -> String {
     name.replace('_', " ")
 }

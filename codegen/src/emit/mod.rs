@@ -13,6 +13,7 @@ mod family;
 pub mod latex;
 mod names;
 mod net;
+mod pieces;
 mod rust;
 mod stages;
 mod standalone;
@@ -21,6 +22,7 @@ mod task;
 use proc_macro2::TokenStream;
 
 pub use c::header;
+pub use pieces::modules;
 pub use rust::module;
 pub use standalone::standalone;
 pub use task::{TASKS, Task};
@@ -56,8 +58,27 @@ pub struct Artifact {
     /// What is set at run time; nothing for a surface whose coefficients are all numbers. Then the control net is empty,
     /// since each member of the family has its own.
     pub symbols: Vec<Setting>,
+    /// Which piece of a surface of several pieces it is.
+    pub piece: Option<PieceOf>,
     /// The scheduled program (see [`crate::schedule`]) with rounded constants.
     pub program: Program<f64>,
+}
+
+/// The place of a surface among the pieces of a larger one.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PieceOf {
+    /// The name of the whole.
+    pub of: String,
+    /// Which of the pieces it is, from 0 on.
+    pub index: usize,
+    /// How many pieces there are.
+    pub count: usize,
+    /// The least float that is not below the first v.
+    pub start: f64,
+    /// Whether that is the first v itself.
+    pub start_is_exact: bool,
+    /// Whether it meets the piece before it: whether both have the same points at its first v.
+    pub meets: bool,
 }
 
 /// What the values of symbols are given by at run time.

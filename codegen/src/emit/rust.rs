@@ -20,12 +20,23 @@ pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     let lines = documentation::lines(artifact);
     let docs = doc(lines.iter().map(String::as_str));
     let items = items(artifact, runtime);
-    // The names of sweeps and symbols are their author's.
-    let names = std::iter::once(&artifact.name).chain(artifact.program.symbols());
+    let names =
+        std::iter::once(artifact.name.as_str()).chain(artifact.program.symbols().iter().map(AsRef::as_ref));
+    let allowed = allowed(names);
+    quote! {
+        #docs
+        #allowed
+        pub mod #name {
+            #items
+        }
+    }
+}
+
+/// The lints that generated code does not keep; the names of sweeps and symbols are their author's.
+pub(super) fn allowed<'a>(names: impl IntoIterator<Item = &'a str>) -> TokenStream {
     let capital = names.into_iter().any(|name| name.contains(char::is_uppercase));
     let names = capital.then(|| quote! { #[allow(non_snake_case)] });
     quote! {
-        #docs
         #[allow(
             clippy::approx_constant,
             clippy::doc_markdown,
@@ -41,9 +52,6 @@ pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
             clippy::unused_self
         )]
         #names
-        pub mod #name {
-            #items
-        }
     }
 }
 
@@ -125,8 +133,17 @@ fn constants(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// The bounds of errors.
+/// The constant of the bounds of errors.
 fn bounds(proofs: &Proofs, runtime: &TokenStream) -> TokenStream {
+    let value = bounds_value(proofs, runtime);
+    quote! {
+        /// Proved bounds of the errors of the evaluators over the domain.
+        pub const BOUNDS: #runtime::Bounds = #value;
+    }
+}
+
+/// The bounds of errors.
+pub(super) fn bounds_value(proofs: &Proofs, runtime: &TokenStream) -> TokenStream {
     let number = |number: f64| match number.is_finite() {
         true => literal(number),
         false => quote! { f64::INFINITY },
@@ -139,10 +156,7 @@ fn bounds(proofs: &Proofs, runtime: &TokenStream) -> TokenStream {
             #name: #runtime::Bound { errors: [#(#errors),*], relative_errors: [#(#relative),*], size: #size }
         }
     });
-    quote! {
-        /// Proved bounds of the errors of the evaluators over the domain.
-        pub const BOUNDS: #runtime::Bounds = #runtime::Bounds { #(#fields),* };
-    }
+    quote! { #runtime::Bounds { #(#fields),* } }
 }
 
 /// The exact offset patches.

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta};
 
-use super::{Artifact, format, module};
+use super::{Artifact, format, modules, pieces};
 
 /// The modules of `artifacts` and, in a module `runtime`, what they need of the runtime, laid out as text.
 ///
@@ -20,11 +20,20 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
     // A sweep may have the usual name.
     let taken = artifacts.iter().any(|artifact| artifact.name == "runtime");
     let name = Ident::new(if taken { "runtime_of_surfaces" } else { "runtime" }, Span::call_site());
-    let modules = artifacts.iter().map(|artifact| module(artifact, &quote! { super::#name }));
+    let modules = modules(artifacts, &quote! { super::#name });
     let families = artifacts.iter().any(|artifact| !artifact.symbols.is_empty());
-    let runtime = runtime(&name, files, families)?;
+    let in_pieces = (1..=artifacts.len()).any(|end| pieces::pieces(&artifacts[..end]).is_some());
+    let wanted = |module: &str| {
+        (families || !OF_FAMILIES.contains(&module)) && (in_pieces || !OF_PIECES.contains(&module))
+    };
+    let files: Vec<(&str, &str)> = files.iter().copied().filter(|(module, _)| wanted(module)).collect();
+    let mut exports = TokenStream::new();
+    exports.extend(families.then(|| quote! { pub use family::ParameterError; }));
+    exports
+        .extend(in_pieces.then(|| quote! { pub use pieces::{Pieces, Piecewise, PiecewiseBatch, Visitor}; }));
+    let runtime = runtime(&name, &files, &exports)?;
     format(quote! {
-        #(#modules)*
+        #modules
         #runtime
     })
 }
@@ -32,11 +41,13 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
 /// The files that only families need.
 const OF_FAMILIES: [&str; 2] = ["bernstein", "family"];
 
+/// The file that only surfaces of several pieces need.
+const OF_PIECES: [&str; 1] = ["pieces"];
+
 /// The module `name` with what surfaces need.
-fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<TokenStream, syn::Error> {
+fn runtime(name: &Ident, files: &[(&str, &str)], exports: &TokenStream) -> Result<TokenStream, syn::Error> {
     let mut modules = TokenStream::new();
-    let errors = families.then(|| quote! { pub use family::ParameterError; });
-    for (module, text) in files.iter().filter(|(module, _)| families || !OF_FAMILIES.contains(module)) {
+    for (module, text) in files {
         let mut file: syn::File = syn::parse_str(&text.replace("crate::", "super::"))?;
         file.items.retain(|item| !matches!(item, Item::Mod(module) if module.ident == "tests"));
         file.attrs.retain(|attribute| !attribute.path().is_ident("doc"));
@@ -50,7 +61,7 @@ fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<Token
         /// What the surfaces need to run.
         #[allow(dead_code, missing_docs, unused_imports, rustdoc::broken_intra_doc_links, clippy::all, clippy::pedantic, clippy::nursery)]
         pub mod #name {
-            #errors
+            #exports
             pub use batch::{Batch, BatchError, Rows};
             pub use bounds::{Bound, Bounds};
             pub use dispatch::Variant;
@@ -58,7 +69,7 @@ fn runtime(name: &Ident, files: &[(&str, &str)], families: bool) -> Result<Token
             pub use real::{Float, Fused, Plain, Real, Rounded, horner};
             pub use surface::{Domain, Patch, Surface, offset_net};
             pub use task::{
-                First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Stages, Sweep, Task,
+                First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Staged, Stages, Sweep, Task,
             };
             pub use undefined::Undefined;
             pub use values::{FirstOrder, LocalGeometry, SecondOrder};

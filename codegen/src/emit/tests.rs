@@ -26,6 +26,7 @@ fn artifact(name: &str, example: &Example) -> Artifact {
         control_net: vec![[1.0, 0.5, -0.25, 1e-7]],
         proofs: None,
         offset: None,
+        piece: None,
         program: round(&exact.fused()).unwrap(),
     }
 }

@@ -175,7 +175,10 @@ fn options(scope: &Scope, named: [Option<&Expr>; 7]) -> Result<MotionOptions, Fa
             choice(orientation, &[("sphere", Orientation::Sphere), ("direct", Orientation::Direct)])?;
     }
     if let Some(preimage) = preimage {
-        options.lift = choice(preimage, &[("projective", Lift::Projective), ("unit", Lift::Unit), ("positive", Lift::Positive)])?;
+        options.lift = choice(
+            preimage,
+            &[("projective", Lift::Projective), ("unit", Lift::Unit), ("positive", Lift::Positive)],
+        )?;
     }
     if let Some(normalize) = normalize {
         options.normalize = choice(normalize, &[("yes", true), ("no", false)])?;

@@ -85,11 +85,11 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The piece to which values of the parameters belong: at a joint the one before it, beyond all of them the nearest one.
+/// The piece to which values of the parameters belong: at a joint the one that begins there, beyond all of them the nearest one.
 fn piece_at<'a>(pieces: &[&'a Model], values: &[Poly; 2]) -> Result<&'a Model, Failure> {
     let reaches = |model: &&&Model| {
         let surface = model.surface.as_ref();
-        surface.is_some_and(|surface| values[1].compare(surface.domain()[1].upper()).is_le())
+        surface.is_some_and(|surface| values[1].compare(surface.domain()[1].upper()).is_lt())
     };
     let found = pieces.iter().find(reaches).or(pieces.last());
     found.copied().ok_or_else(|| Failure::new("there is no surface"))
