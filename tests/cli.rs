@@ -397,7 +397,8 @@ fn emit_writes_and_checks() -> Result<(), Box<dyn std::error::Error>> {
     run(&[&emit[..], &["--check"]].concat()).refused("--output");
     let header = run(&["emit", &formula, "--target", "c"]);
     assert!(
-        header.status == 0 && header.out.contains("static inline bool cylinder_point(double u, double v"),
+        header.status == 0
+            && header.out.contains("static inline hodograph_status cylinder_point(double u, double v"),
         "{}",
         header.err
     );

@@ -18,6 +18,11 @@ pub(super) fn write(code: &Code<'_>, mode: Mode, body: &Body) -> (TokenStream, V
     (statements, body.results.iter().map(|result| writer.write(result).0).collect())
 }
 
+/// A number that depends on no parameter, over `f64`.
+pub(super) fn number(code: &Code<'_>, number: &Expression) -> TokenStream {
+    Writer { code, mode: Mode::Plain }.write(number).0
+}
+
 /// The variable that holds a symbol.
 pub(super) fn symbol(name: &str) -> Ident {
     // Words that are no identifiers of their own, in any edition, and patterns that mean something else.

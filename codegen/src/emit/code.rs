@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::body::write;
 use super::chain::{Chain, Coefficient, chains, table_of};
 use super::expression::{Body, Expression};
 use super::names::Names;
@@ -150,10 +149,16 @@ impl<'a> Code<'a> {
         })
     }
 
-    /// The number that a value without parameters is, in code over `f64`.
-    pub(super) fn number(&self, value: Value) -> TokenStream {
-        let body = self.body(&[value], &BTreeMap::new());
-        write(self, Mode::Plain, &body).1.into_iter().collect()
+    /// The numbers of an array that is constant.
+    pub(super) fn constant_array(&self, name: &Ident) -> &[f64] {
+        let found = self.constants.iter().find(|(other, ..)| other == name);
+        found.map_or(&[], |(.., numbers)| numbers)
+    }
+
+    /// The number that a value without parameters is: it has no statements, since it is kept or follows from what is.
+    pub(super) fn number(&self, value: Value) -> Expression {
+        let mut body = self.body(&[value], &BTreeMap::new());
+        body.results.swap_remove(0)
     }
 }
 

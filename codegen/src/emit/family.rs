@@ -11,7 +11,6 @@ use super::expression::Body;
 use super::rust::{camel_case, doc};
 use super::{Artifact, Setting, net};
 use crate::meaning::CoefficientKind;
-use crate::schedule::outputs;
 
 /// The struct of what is set, the struct of what is computed from that, and the surface itself.
 pub(super) fn definition(name: &Ident, artifact: &Artifact, code: &Code<'_>) -> TokenStream {
@@ -76,7 +75,7 @@ pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream 
     let [parameters, _] = types(artifact);
     let length = net_length(artifact);
     let net = net::net(artifact, code);
-    let speeds = speeds(code);
+    let speeds = net::speeds(code);
     let check_speeds = speeds.is_some().then(|| quote! { surface.check_speeds()?; });
     quote! {
         /// The surface with these parameters.
@@ -104,31 +103,6 @@ pub(super) fn construction(artifact: &Artifact, code: &Code<'_>) -> TokenStream 
         #net
         #speeds
     }
-}
-
-/// The function that certifies parametric speeds to be positive on the domain, if values of symbols decide on that.
-fn speeds(code: &Code<'_>) -> Option<TokenStream> {
-    let runtime = code.runtime;
-    let conditions = code.program.results(outputs::CONDITIONS);
-    let checks: Vec<TokenStream> = conditions
-        .iter()
-        .map(|&condition| {
-            let (statements, coefficients) = net::of_one_parameter(code, condition);
-            quote! { {
-                #statements
-                #runtime::family::check_speed(&#coefficients)?;
-            } }
-        })
-        .collect();
-    (!checks.is_empty()).then(|| {
-        quote! {
-            /// Checks that the curves have positive parametric speeds.
-            fn check_speeds(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
-                #(#checks)*
-                ::core::result::Result::Ok(())
-            }
-        }
-    })
 }
 
 /// The function that computes what all evaluators need of the parameters.
@@ -200,7 +174,8 @@ fn field(setting: &Setting) -> Ident {
     }
 }
 
-fn documentation(setting: &Setting) -> String {
+/// What is said of a parameter.
+pub(super) fn documentation(setting: &Setting) -> String {
     match setting {
         Setting::Number(name) => format!("The number `{name}`."),
         Setting::Curve { name, kind, rows } => {

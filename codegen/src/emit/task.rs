@@ -1,6 +1,7 @@
 //! Tasks: what evaluators compute in one pass.
 
 use crate::program::{Program, Value};
+use crate::proofs::BOUNDED;
 use crate::schedule::outputs;
 
 /// Several outputs of a program that are evaluated together.
@@ -19,46 +20,21 @@ pub const TASKS: [Task; 7] = [
     Task { name: "Homogeneous", text: "homogeneous coordinates", outputs: &[outputs::HOMOGENEOUS] },
     Task { name: "Point", text: "point", outputs: &[outputs::POINT] },
     Task { name: "Separated", text: "point, separated", outputs: &[outputs::SEPARATED_POINT] },
-    Task {
-        name: "First",
-        text: "point and first derivatives",
-        outputs: &[outputs::SEPARATED_POINT, outputs::PARTIAL_U, outputs::PARTIAL_V],
-    },
-    Task {
-        name: "Second",
-        text: "point, first and second derivatives",
-        outputs: &[
-            outputs::SEPARATED_POINT,
-            outputs::PARTIAL_U,
-            outputs::PARTIAL_V,
-            outputs::PARTIAL_UU,
-            outputs::PARTIAL_UV,
-            outputs::PARTIAL_VV,
-        ],
-    },
+    Task { name: "First", text: "point and first derivatives", outputs: part(2, 5) },
+    Task { name: "Second", text: "point, first and second derivatives", outputs: part(2, 8) },
     Task { name: "Normal", text: "unit normal", outputs: &[outputs::UNIT_NORMAL] },
     Task {
         name: "Local",
         text: "everything: derivatives, normal, fundamental forms, curvatures",
-        outputs: &[
-            outputs::SEPARATED_POINT,
-            outputs::PARTIAL_U,
-            outputs::PARTIAL_V,
-            outputs::PARTIAL_UU,
-            outputs::PARTIAL_UV,
-            outputs::PARTIAL_VV,
-            outputs::UNIT_NORMAL,
-            outputs::FIRST_FORM,
-            outputs::SECOND_FORM,
-            outputs::GAUSSIAN,
-            outputs::MEAN,
-            outputs::PRINCIPAL,
-            outputs::SPEEDS,
-            outputs::NORMAL_U,
-            outputs::NORMAL_V,
-        ],
+        outputs: part(2, BOUNDED.len()),
     },
 ];
+
+/// The outputs from one place of [`BOUNDED`] to before another, where the separated point is the third.
+const fn part(first: usize, end: usize) -> &'static [&'static str] {
+    const ALL: &[&str] = &BOUNDED;
+    ALL.split_at(end).0.split_at(first).1
+}
 
 impl Task {
     /// The values that it computes, in order.

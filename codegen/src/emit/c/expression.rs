@@ -1,35 +1,53 @@
 //! Expressions in C.
 
-use super::Precision;
+use super::Type;
+use crate::bound::Precision;
 use crate::emit::code::Code;
 use crate::emit::expression::{Binding, Body, Expression};
 use crate::program::Input;
 
 /// The statements and the results of a body in C.
-pub(super) fn write(code: &Code<'_>, precision: Precision, body: &Body) -> (Vec<String>, Vec<String>) {
-    let writer = Writer { code, precision };
+pub(super) fn write(code: &Code<'_>, kind: Type, body: &Body) -> (Vec<String>, Vec<String>) {
+    let writer = Writer { code, kind };
     let statement = |(name, expression): &(String, Expression)| {
-        format!("const {} {} = {};", precision.name(), variable(name), writer.write(expression).0)
+        format!("const {} {} = {};", kind.real, variable(name), writer.write(expression).0)
     };
     let statements = body.statements.iter().map(statement).collect();
     (statements, body.results.iter().map(|result| writer.write(result).0).collect())
 }
 
-/// A name that is no word of C.
+/// A number that depends on no parameter.
+pub(super) fn number(code: &Code<'_>, kind: Type, number: &Expression) -> String {
+    Writer { code, kind }.write(number).0
+}
+
+/// A name that is no word of C or C++, and that no generated function means something else by.
 pub(super) fn variable(name: &str) -> String {
-    const TAKEN: [&str; 44] = [
-        "auto", "bool", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
-        "enum", "extern", "false", "float", "for", "goto", "if", "inline", "int", "long", "out", "register",
-        "restrict", "return", "short", "signed", "sizeof", "static", "struct", "surface", "switch", "true",
-        "typedef", "typeof", "union", "unsigned", "void", "volatile", "while", "asm", "errno", "linux",
-        "unix",
-    ];
     if TAKEN.contains(&name) { format!("{name}_") } else { name.to_string() }
 }
 
+#[rustfmt::skip]
+const TAKEN: [&str; 124] = [
+    // Words of C and C++, and names that compilers define.
+    "alignas", "alignof", "and", "and_eq", "asm", "assert", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
+    "char8_t", "char16_t", "char32_t", "class", "co_await", "co_return", "co_yield", "compl", "concept", "const", "const_cast",
+    "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else",
+    "enum", "errno", "explicit", "export", "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int", "linux",
+    "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private",
+    "protected", "public", "register", "reinterpret_cast", "requires", "restrict", "return", "short", "signed", "sizeof",
+    "static", "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true", "try",
+    "typedef", "typeid", "typename", "typeof", "union", "unix", "unsigned", "using", "virtual", "void", "volatile", "wchar_t",
+    "while", "xor", "xor_eq",
+    // What functions and macros of the standard headers that are used are called.
+    "DBL_MAX", "FLT_MAX", "INFINITY", "NAN", "NULL", "fabs", "fabsf", "memcpy", "size_t", "sqrt", "sqrtf",
+    // Variables of the generated functions.
+    "control_net", "finite", "hodograph_all_finite", "hodograph_orient", "hodograph_orientf", "hodograph_scale", "hodograph_scalef",
+    "of_u", "of_v", "out", "parameters", "room", "status", "surface", "values",
+];
+
 struct Writer<'a> {
     code: &'a Code<'a>,
-    precision: Precision,
+    kind: Type,
 }
 
 impl Writer<'_> {
@@ -72,11 +90,12 @@ impl Writer<'_> {
 
     /// A function of the mathematical library, or of the header, in the precision.
     fn call(&self, function: &str, arguments: &[String]) -> String {
-        format!("{function}{}({})", self.precision.suffix(), arguments.join(", "))
+        format!("{function}{}({})", self.kind.suffix, arguments.join(", "))
     }
 
     fn kept(&self, name: &str, place: usize) -> String {
-        match self.precision {
+        let name = variable(name);
+        match self.kind.precision {
             Precision::Double => format!("surface->{name}[{place}]"),
             Precision::Single => format!("(float)surface->{name}[{place}]"),
         }
@@ -87,11 +106,8 @@ impl Writer<'_> {
         let base = self.within(base, Binding::Sign);
         let coefficients: Vec<String> = match self.code.arrays.get(&value) {
             Some((name, true)) => {
-                let constant = |(other, ..): &&(proc_macro2::Ident, _, Vec<f64>)| other == name;
-                let numbers =
-                    self.code.constants.iter().find(constant).map_or(&[][..], |(.., numbers)| numbers);
+                let numbers = self.code.constant_array(name).iter();
                 numbers
-                    .iter()
                     .map(|&number| self.constant(number))
                     .map(|(text, binding)| in_sum(text, binding))
                     .collect()
@@ -136,7 +152,7 @@ impl Writer<'_> {
 
     fn constant(&self, constant: f64) -> (String, Binding) {
         let binding = if constant.is_sign_negative() { Binding::Sign } else { Binding::Atom };
-        (self.precision.literal(constant), binding)
+        (self.kind.literal(constant), binding)
     }
 
     /// An expression, in parentheses if it binds less than `least`.
