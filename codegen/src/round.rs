@@ -11,7 +11,7 @@ use crate::program::Program;
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum RoundError {
-    /// The number is beyond the range of `f64`; it is given in decimals.
+    /// The number is beyond the range of `f64`; its leading digits and its power of ten are given, as in `1.000e400`.
     TooLarge(String),
     /// There are symbols in it.
     NotANumber(String),
@@ -47,7 +47,7 @@ pub fn nearest(number: &Poly) -> Result<f64, RoundError> {
     if !number.is_constant() {
         return Err(RoundError::NotANumber(number.to_string()));
     }
-    let too_large = || RoundError::TooLarge(number.to_decimal(0));
+    let too_large = || RoundError::TooLarge(leading_digits(&number.to_decimal(0)));
     if let Some(value) = number.to_rational() {
         return nearest_to_rational(&value).ok_or_else(too_large);
     }
@@ -59,6 +59,15 @@ pub fn nearest(number: &Poly) -> Result<f64, RoundError> {
             return lower.ok_or_else(too_large);
         }
         bits *= 2;
+    }
+}
+
+/// The first four digits of an integer in decimals, and its power of ten.
+fn leading_digits(decimal: &str) -> String {
+    let (sign, digits) = decimal.strip_prefix('-').map_or(("", decimal), |digits| ("-", digits));
+    match (digits.get(..1), digits.get(1..4)) {
+        (Some(first), Some(next)) => format!("{sign}{first}.{next}e{}", digits.len() - 1),
+        _ => decimal.to_string(),
     }
 }
 
@@ -212,7 +221,9 @@ mod tests {
 
     #[test]
     fn what_has_no_float_is_an_error() {
-        assert!(matches!(nearest(&Poly::constant(power(1024))), Err(RoundError::TooLarge(_))));
+        let too_large = |digits: &str| Err(RoundError::TooLarge(digits.to_string()));
+        assert_eq!(nearest(&Poly::constant(power(1024))), too_large("1.797e308"));
+        assert_eq!(nearest(&Poly::constant(-power(1024))), too_large("-1.797e308"));
         let huge = Poly::sqrt_of(&integer(2)) * Poly::constant(power(2000));
         assert!(matches!(nearest(&huge), Err(RoundError::TooLarge(_))));
         // Halfway to 2^1024 rounds to even, which is beyond.
