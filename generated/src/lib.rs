@@ -26,8 +26,8 @@
 //! # Build time
 //!
 //! A sweep is derived, and its bounds are proved, each time its crate is compiled, by a macro that Cargo does not optimize, in
-//! `--release` neither. Most take some tenths of a second; the whole catalogue takes 4 s. Where sweeps of your own take
-//! seconds, this in the `Cargo.toml` of your workspace makes that saving, and the first build some 25 s of CPU longer:
+//! `--release` neither. Most take some tenths of a second; the whole catalogue takes some 5 s. Where sweeps of your own take
+//! many seconds, this in the `Cargo.toml` of your workspace saves a third of that, and makes the first build some 40 s of CPU longer:
 //!
 //! ```toml
 //! [profile.dev.package.hodograph-algebra]
