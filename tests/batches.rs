@@ -93,7 +93,7 @@ fn check<S, T, F, I, const N: usize>(
     I: Item<F, T> + Numbers<F, N> + PartialEq + Debug,
 {
     let Places { us, vs } = places;
-    let name = format!("{task:?} of {} in {:?}", surface.name(), Sweep::variant(surface));
+    let name = format!("{task:?} of {} in {:?}", surface.name(), surface.pinned_variant());
     let expected: Vec<Single<N>> = vs
         .iter()
         .flat_map(|&v| us.iter().map(move |&u| (u, v)))

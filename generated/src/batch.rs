@@ -97,7 +97,7 @@ impl<'a, S: Sweep, T> Batch<'a, S, T> {
     #[inline]
     #[must_use]
     pub fn new(surface: &'a S, _: T) -> Self {
-        Self { surface, variant: surface.variant(), task: PhantomData }
+        Self { surface, variant: surface.pinned_variant(), task: PhantomData }
     }
 }
 

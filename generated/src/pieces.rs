@@ -115,7 +115,7 @@ pub(crate) struct Within<S> {
 
 impl<S: Sweep> Sweep for Within<S> {
     #[inline(always)]
-    fn variant(&self) -> Option<Variant> {
+    fn pinned_variant(&self) -> Option<Variant> {
         self.variant
     }
 }
@@ -331,7 +331,7 @@ impl<F: Float, T: Task, O: Output<F, T>> Staged<T> for OnGrid<'_, F, O> {
 
     #[inline(always)]
     fn visit<S: Sweep + Stages<T>>(mut self, piece: &S) -> Failures {
-        let batch = Batch::with(piece, piece.variant());
+        let batch = Batch::with(piece, piece.pinned_variant());
         run(batch.variant, Grid { batch, us: self.us, vs: self.vs, out: &mut self.out })
     }
 }
@@ -347,7 +347,7 @@ impl<F: Float, T: Task, O: Output<F, T>> Staged<T> for AtPoints<'_, F, O> {
 
     #[inline(always)]
     fn visit<S: Sweep + Stages<T>>(mut self, piece: &S) -> Failures {
-        let batch = Batch::with(piece, piece.variant());
+        let batch = Batch::with(piece, piece.pinned_variant());
         run_wide(batch.variant, Points { batch, us: self.us, vs: self.vs, out: &mut self.out })
     }
 }

@@ -206,7 +206,7 @@ pub trait Surface<F: Float = f64>: Patch {
 impl<S: Sweep, F: Float> Surface<F> for S {
     #[inline]
     fn variant(&self) -> Variant {
-        Sweep::variant(self).unwrap_or_else(Variant::native)
+        self.pinned_variant().unwrap_or_else(Variant::native)
     }
 
     #[inline]
@@ -271,7 +271,7 @@ impl<S: Sweep, F: Float> Surface<F> for S {
         if !r.is_finite() {
             return Err(Undefined::Parameter);
         }
-        run(Sweep::variant(self), OffsetPoint { surface: self, r, u, v })
+        run(self.pinned_variant(), OffsetPoint { surface: self, r, u, v })
     }
 
     #[inline]
@@ -279,7 +279,7 @@ impl<S: Sweep, F: Float> Surface<F> for S {
         if !r.is_finite() {
             return Err(Undefined::Parameter);
         }
-        run(Sweep::variant(self), OffsetFirstOrder { surface: self, r, u, v })
+        run(self.pinned_variant(), OffsetFirstOrder { surface: self, r, u, v })
     }
 
     #[inline]
@@ -311,7 +311,10 @@ fn evaluate<T: Task, S: Sweep + Stages<T>, F: Float, I: From<T::Values<F>>>(
     u: F,
     v: F,
 ) -> Result<I, Undefined> {
-    run(surface.variant(), Evaluate { surface, u, v, task: PhantomData::<T>, result: PhantomData::<I> })
+    run(
+        surface.pinned_variant(),
+        Evaluate { surface, u, v, task: PhantomData::<T>, result: PhantomData::<I> },
+    )
 }
 
 struct Evaluate<'a, T, S, F, I> {
@@ -340,7 +343,7 @@ fn select<T: Task, S: Sweep + Stages<T>, F: Float, const N: usize>(
     v: F,
     from: usize,
 ) -> Result<[F; N], Undefined> {
-    run(surface.variant(), Select { surface, u, v, from, task: PhantomData::<T> })
+    run(surface.pinned_variant(), Select { surface, u, v, from, task: PhantomData::<T> })
 }
 
 struct Select<'a, T, S, F, const N: usize> {
@@ -424,7 +427,7 @@ fn reason<S: Sweep, F: Float>(surface: &S, u: F, v: F, needs_normal: bool) -> Un
     if !u.is_finite() || !v.is_finite() {
         return Undefined::Parameter;
     }
-    let (coordinates, normal) = run(surface.variant(), Circumstances { surface, u, v });
+    let (coordinates, normal) = run(surface.pinned_variant(), Circumstances { surface, u, v });
     if coordinates[0] == F::default() {
         Undefined::Pole
     } else if needs_normal && is_finite(&coordinates) && !is_finite(&normal) {

@@ -186,9 +186,9 @@ pub trait Sweep:
     + Stages<Local>
     + Sync
 {
-    /// The variant that it is evaluated in; `None` for that of the machine, [`Variant::native`].
+    /// The variant that it is always evaluated in; `None` for that of the machine, [`Variant::native`].
     #[inline(always)]
-    fn variant(&self) -> Option<Variant> {
+    fn pinned_variant(&self) -> Option<Variant> {
         None
     }
 
@@ -221,15 +221,15 @@ pub struct Pinned<S> {
 
 impl<S: Sweep> Sweep for Pinned<S> {
     #[inline(always)]
-    fn variant(&self) -> Option<Variant> {
+    fn pinned_variant(&self) -> Option<Variant> {
         Some(self.variant)
     }
 }
 
 impl<S: Sweep> Sweep for &S {
     #[inline(always)]
-    fn variant(&self) -> Option<Variant> {
-        (**self).variant()
+    fn pinned_variant(&self) -> Option<Variant> {
+        (**self).pinned_variant()
     }
 }
 
