@@ -96,4 +96,7 @@ const SOURCES: &[Source] = formulas![
     "generalized_conical_common_factor",
     "symbolic_normals",
     "bilinear_forms",
+    "frames_sphere",
+    "frames_surfaces",
+    "frames_gutter",
 ];

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use hodograph_algebra::{Derivation, Poly, Rational, SweptSurface, Variable};
 use hodograph_codegen::compile;
 use hodograph_codegen::language::ast::{File, ItemKind};
-use hodograph_codegen::language::{Report, Source, decode, parse_text};
+use hodograph_codegen::language::{Report, Source, decode, parse_text, read_input};
 use hodograph_codegen::meaning::{Model, models};
 use hodograph_codegen::round::exact;
 
@@ -68,7 +68,8 @@ fn read(path: &Path) -> Formulas {
     let name = path.display().to_string();
     let bytes = std::fs::read(path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let text = decode(&name, &bytes).unwrap_or_else(|report| panic!("{report}"));
-    let (file, source) = parse_text(&name, text).unwrap_or_else(|report| panic!("{report}"));
+    let (mut file, source) = parse_text(&name, text).unwrap_or_else(|report| panic!("{report}"));
+    file.attach(|input| read_input(&folder().join(input), input));
     let (models, diagnostics) = models(&file);
     assert!(diagnostics.is_empty(), "{}", Report::new(source, diagnostics));
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();

@@ -55,6 +55,7 @@
 //! | `profile p(u) = …;` | the curve that is swept |
 //! | `path s(v) = …;` | the curve along which it is swept; its polynomials give their names to parts of the code |
 //! | `curve c(t) = …;` | any other curve |
+//! | `frames F(v) = …;` | a motion through frames; see *Frames* |
 //! | `surface R = …;` | the surface `R(u, v)`; once in a sweep, never in a lemma |
 //! | `surface R(s, t) = …;` | the same with other parameters |
 //! | `domain u in 0..1, v in -1..sqrt(2);` | closed intervals; the ends are numbers, the first is the smaller one |
@@ -123,6 +124,7 @@
 //! | vector | `(x, y)`, `(x, y, z)`, `x*i + z*k` | of a pair, z is 0 |
 //! | homogeneous coordinates | `(w, x, y, z)` | |
 //! | list | `[a, b, c]` | the argument of a constructor only |
+//! | frame, motion | `frame(…)`, the name of a motion | |
 //! | curve, surface | its name | its position vector |
 //! | degree | `degree(…)` | stands on the left side of a relation only |
 //!
@@ -409,6 +411,88 @@
 //! let judgement = models[0].check(&models[0].claims[0], u64::MAX).unwrap();
 //! assert_eq!(judgement.derived, "both sides are 5*c");
 //! assert_eq!(judgement.condition.as_deref(), Some("c > 0"));
+//! ```
+//!
+//! # Frames
+//!
+//! A motion moves a curve through frames: positions, orientations and sizes (JW is Johnstone and Williams, *Rational modeling of swept
+//! surfaces through frames*; its Definition 1). It is piecewise rational in its parameter, with a piece between each two frames.
+//!
+//! - `frame(p, q)`, `frame(p, q, s)`: the frame with the position p, the unit quaternion q = `(w, x, y, z)` and the scale s, which is 1
+//!   where it is not given.
+//! - `frames([f0, f1, …])`: the motion through two to 64 frames ([`MAX_FRAMES`](hodograph_algebra::MAX_FRAMES)).
+//! - `frames_file("turn.json")`: the same with the frames in a file, `[{"position": [0, 0, 0.5], "quaternion": ["3/5", 0, 0, "4/5"],
+//!   "scale": 1}, …]`. Its numbers are decimals, or texts with decimals or quotients of integers; all of them are exact. The path is
+//!   relative to the folder of the source; in the body of a macro, to that of `Cargo.toml`.
+//!
+//! Both stand in a clause `frames F(v) = …;` alone. Options follow with their names:
+//!
+//! | option | what it is |
+//! | --- | --- |
+//! | `knots = [0, 1, 3]` | the parameter at each frame; 0, 1, 2, … without |
+//! | `end = natural`, `rest`, `periodic` | the splines bend least; have zero derivatives at both ends; go on smoothly where they began, if the last frame is the first |
+//! | `tangents = [a, b]` | the derivatives of the position at both ends, in place of what `end` says |
+//! | `continuity = 2`, `1` | the splines are cubic and C², or quadratic and C¹; `(2, 1, 2)`: those of position, orientation and scale |
+//! | `orientation = sphere`, `direct` | as in JW by the map M of 4-space onto the unit quaternions; or by the spline through the quaternions themselves, and its homogeneous Euler–Rodrigues matrix, of half the degree |
+//! | `preimage = projective`, `unit`, `positive` | for `sphere`, the point of 4-space for a quaternion: `(x, y, z, 1 − w)`, which takes no root; the same of length 1; as JW (5) has it |
+//! | `normalize = yes` | divide the quaternions by their lengths, which may adjoin square roots |
+//!
+//! A quaternion and its negative are one orientation; that one is taken which is nearer to the one before (the shortest arc). The same
+//! choice is made among a point of 4-space and its negative, which M maps to one quaternion, except with `positive`. M⁻¹ is undefined at
+//! the orientation without a turn: there a point of the hyperplane that M maps to it is taken, as [`Motion`](hodograph_algebra::Motion)
+//! says.
+//!
+//! | member of a motion `F` | what it is |
+//! | --- | --- |
+//! | `F.position`, `F.scale` | the position `P(v)` of the reference point, the size `S(v)` |
+//! | `F.quaternion` | the unit quaternion of the orientation, `(w, x, y, z)`; with `direct`, one of any length |
+//! | `F.curve` | the curve in 4-space that the orientation comes from |
+//! | `F.weight` | the denominator of the rotation matrix `O(v)` |
+//! | `F.rotate(c)` | `O(v) c`, for a point or a curve c |
+//! | `F.sweep(c)` | the sweep `P(v) + O(v) S(v) c`, exactly (JW (1)) |
+//! | `F.published(c)` | the surface of the control net that JW prints in Theorem 7.1, or 7.2 where scales differ |
+//!
+//! An item with three frames or more is evaluated once for each piece. Its parameter runs from the first knot to the last one; `domain`
+//! need not say so. All frames of an item have one parameter and the same knots; in a sweep it is the surface's second parameter. Of a
+//! sweep in several pieces each piece is a [`Model`] of its own: see [`Model::piece`]. A claim holds if it holds on all pieces; a value
+//! `f(1/2)` is taken in the piece that it belongs to.
+//!
+//! - `continuity(f)`, in claims: up to which order the derivatives of f by the frames' parameter agree at all joints; 9 at most, −1 where
+//!   f itself jumps.
+//! - `bernstein([b0, …, bn], t)`: the polynomial in t with these scalars or vectors for Bernstein coefficients.
+//! - `bernstein_product([b0, …, bm], [c0, …, cn])`: the list of the Bernstein coefficients of the product (JW Lemma 5.1).
+//! - `bernstein_coefficient(f, v, n, k)`: the k-th Bernstein coefficient of degree n of a polynomial on the domain of v.
+//!
+//! Errors: fewer than two frames, or more than 64; a quaternion that is zero or has another length than 1; a scale that is not positive; a
+//! frame that is the one before it; knots that do not increase; an end that the splines cannot have. In a file they are shown with the
+//! file's line and column.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"sweep turn {
+//!     profile c(u) = (0, u, 0);
+//!     frames F(v) = frames([
+//!         frame((0, 0, 0), (1, 0, 0, 0)),
+//!         frame((2, 0, 0), (4/5, 0, 0, 3/5)),
+//!         frame((2, 2, 0), (-3/5, 0, 0, -4/5))], orientation = direct);
+//!     surface R = F.sweep(c);
+//!     domain u in 0..1;
+//!     claim "frame": R(1, 1) == (2, 0, 0) + (-24, 7, 0)/25;
+//!     claim "shortest arc": F.quaternion(2).Z == 4/5;
+//!     claim "degree": degree(R) == (1, 9);
+//!     claim "joint": continuity(R) == 2;
+//!     claim "rigid": norm2(diff(R, u)) == 1;
+//!     claim "product": bernstein(bernstein_product([0, 1], [1, 1]), u) == u;
+//!     claim "coefficient": bernstein_coefficient(u^2, u, 3, 2) == 1/3;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"), "{judgements:?}");
+//! assert_eq!(judgements[3].1, "both sides are 2");
 //! ```
 //!
 //! # Members of surfaces and vectors
