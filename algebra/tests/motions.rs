@@ -154,7 +154,11 @@ proptest! {
 }
 
 fn frame(x: i64, quaternion: [i64; 4]) -> Frame {
-    Frame { position: [x, 0, 0].map(Poly::integer), quaternion: quaternion.map(Poly::integer), scale: Poly::one() }
+    Frame {
+        position: [x, 0, 0].map(Poly::integer),
+        quaternion: quaternion.map(Poly::integer),
+        scale: Poly::one(),
+    }
 }
 
 #[test]
@@ -221,6 +225,7 @@ fn a_pole_between_others_takes_the_mean_of_their_points() {
     // So the orientation goes straight through the pole, and stays near it.
     let middle = motion.segment(0, &v);
     let half = BTreeMap::from([(v.clone(), Fraction::from(ratio(1, 2)))]);
-    let cosine = middle.quaternion().map(|part| part.substitute(&half).unwrap()).scalar().to_rational().unwrap();
+    let cosine =
+        middle.quaternion().map(|part| part.substitute(&half).unwrap()).scalar().to_rational().unwrap();
     assert!(cosine > ratio(9, 10) && cosine < integer(1), "{cosine}");
 }

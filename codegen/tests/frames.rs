@@ -26,7 +26,10 @@ fn mistake(json: &str) -> String {
 
 fn judge(text: &str) -> Vec<Judgement> {
     let models = read(text, "[]").unwrap_or_else(|lines| panic!("{lines:?}"));
-    models.iter().flat_map(|model| model.claims.iter().map(|claim| model.check(claim, u64::MAX).unwrap())).collect()
+    models
+        .iter()
+        .flat_map(|model| model.claims.iter().map(|claim| model.check(claim, u64::MAX).unwrap()))
+        .collect()
 }
 
 const THREE: &str = "frames([frame((0, 0, 0), (0, 0, 0, 1)), frame((1, 0, 0), (0, 0, 3/5, 4/5)), frame((3, 1, 0), (0, 4/5, 0, 3/5))]";
@@ -64,17 +67,31 @@ fn mistakes_in_files_have_their_places() {
     assert!(mistake(&"[".repeat(100_000)).ends_with("this is nested more than 32 levels deep"));
     assert_eq!(mistake("[]"), "a motion needs two frames at least, and here are 0");
     let of = |quaternion: &str, rest: &str| {
-        format!("[{{\"position\": [0, 0, 0], \"quaternion\": [0, 0, 0, 1]}},\n {{\"position\": [1, 0, 0], \"quaternion\": {quaternion}{rest}}}]")
+        format!(
+            "[{{\"position\": [0, 0, 0], \"quaternion\": [0, 0, 0, 1]}},\n {{\"position\": [1, 0, 0], \"quaternion\": {quaternion}{rest}}}]"
+        )
     };
     assert_eq!(
         mistake(&of("[0, 0, 0.6, 0.81]", "")),
         "f.json:2:41: the quaternion q of frame 2 is no unit quaternion: |q|² = 10161/10000",
     );
-    assert_eq!(mistake(&of("[0, 0, 0, 0]", "")), "f.json:2:41: the quaternion of frame 2 is zero, so it has no orientation");
-    assert_eq!(mistake(&of("[0, 0, 1]", "")), "f.json:2:41: the quaternion is a list of 4 numbers, but here are 3");
+    assert_eq!(
+        mistake(&of("[0, 0, 0, 0]", "")),
+        "f.json:2:41: the quaternion of frame 2 is zero, so it has no orientation"
+    );
+    assert_eq!(
+        mistake(&of("[0, 0, 1]", "")),
+        "f.json:2:41: the quaternion is a list of 4 numbers, but here are 3"
+    );
     assert_eq!(mistake(&of("[0, 0, 0, \"1/0\"]", "")), "f.json:2:51: \"1/0\" is no number");
-    assert_eq!(mistake(&of("[0, 0, 0, true]", "")), "f.json:2:51: a number is expected here, but this is a word");
-    assert_eq!(mistake(&of("[0, 0, 0, 1]", ", \"scale\": -1")), "f.json:2:64: the scale of frame 2 is not positive");
+    assert_eq!(
+        mistake(&of("[0, 0, 0, true]", "")),
+        "f.json:2:51: a number is expected here, but this is a word"
+    );
+    assert_eq!(
+        mistake(&of("[0, 0, 0, 1]", ", \"scale\": -1")),
+        "f.json:2:64: the scale of frame 2 is not positive"
+    );
     assert_eq!(mistake(&of("[0, 0, 0, 1]", ", \"size\": 1")), "f.json:2:55: a frame has no \"size\"");
     let twice = "{\"position\": [0, 0, 0], \"quaternion\": [0, 0, 0, 1]}";
     assert_eq!(mistake(&format!("[{twice},\n{twice}]")), "f.json:2:1: frame 2 is the same as frame 1");
@@ -110,7 +127,10 @@ fn mistakes_in_formulas() {
     assert_eq!(with("knots = [0, 2, 1]"), "knot 3 is not greater than the one before it");
     assert_eq!(with("end = periodic"), "the last frame is not the first one, so the motion is not closed");
     assert_eq!(with("continuity = 3"), "the order of continuity is 1 or 2");
-    assert_eq!(with("continuity = 1, end = rest"), "a quadratic spline cannot close, and has one free derivative only");
+    assert_eq!(
+        with("continuity = 1, end = rest"),
+        "a quadratic spline cannot close, and has one free derivative only"
+    );
     assert!(with("color = red").starts_with("`frames` has no argument `color`"));
     assert_eq!(wrong("frames F(v) = (v, 0);"), "a motion is expected here, but this is a vector");
     assert_eq!(wrong(&format!("path s(v) = {THREE});")), "a motion is no curve");
@@ -124,12 +144,18 @@ fn mistakes_in_formulas() {
         wrong(&format!("frames F(v) = {THREE}); domain v in 0..1;")),
         "the frames run through [0, 2], but the domain of `v` is [0, 1]",
     );
-    assert_eq!(wrong(&format!("frames F(v) = {THREE}); let a = F.quaternoin;")), "a motion has no member `quaternoin`");
+    assert_eq!(
+        wrong(&format!("frames F(v) = {THREE}); let a = F.quaternoin;")),
+        "a motion has no member `quaternoin`"
+    );
     assert_eq!(
         wrong(&format!("frames F(v) = {THREE}); let a = F.position(3/2);")),
         "v = 3/2 lies in another piece than the one that this clause defines",
     );
-    assert_eq!(wrong("let s = frame((u, 0, 0), (1, 0, 0, 0)); domain u in 0..1;"), "the position of a frame consists of numbers, but u is none");
+    assert_eq!(
+        wrong("let s = frame((u, 0, 0), (1, 0, 0, 0)); domain u in 0..1;"),
+        "the position of a frame consists of numbers, but u is none"
+    );
 }
 
 #[test]

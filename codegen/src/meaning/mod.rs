@@ -639,6 +639,7 @@
 //!     ["t:2:15: a number and a vector cannot be added", "t:4:16: the radicand -2 is negative"],
 //! );
 //! ```
+#![doc = include_str!("frames.md")]
 
 mod assumptions;
 mod bernstein;
