@@ -73,26 +73,26 @@ fn mistakes_in_files_have_their_places() {
     };
     assert_eq!(
         mistake(&of("[0, 0, 0.6, 0.81]", "")),
-        "f.json:2:41: the quaternion q of frame 2 is no unit quaternion: |q|² = 10161/10000",
+        "f.json:2:40: the quaternion q of frame 2 is no unit quaternion: |q|² = 10161/10000",
     );
     assert_eq!(
         mistake(&of("[0, 0, 0, 0]", "")),
-        "f.json:2:41: the quaternion of frame 2 is zero, so it has no orientation"
+        "f.json:2:40: the quaternion of frame 2 is zero, so it has no orientation"
     );
     assert_eq!(
         mistake(&of("[0, 0, 1]", "")),
-        "f.json:2:41: the quaternion is a list of 4 numbers, but here are 3"
+        "f.json:2:40: the quaternion is a list of 4 numbers, but here are 3"
     );
-    assert_eq!(mistake(&of("[0, 0, 0, \"1/0\"]", "")), "f.json:2:51: \"1/0\" is no number");
+    assert_eq!(mistake(&of("[0, 0, 0, \"1/0\"]", "")), "f.json:2:50: \"1/0\" is no number");
     assert_eq!(
         mistake(&of("[0, 0, 0, true]", "")),
-        "f.json:2:51: a number is expected here, but this is a word"
+        "f.json:2:50: a number is expected here, but this is a word"
     );
     assert_eq!(
         mistake(&of("[0, 0, 0, 1]", ", \"scale\": -1")),
-        "f.json:2:64: the scale of frame 2 is not positive"
+        "f.json:2:63: the scale of frame 2 is not positive"
     );
-    assert_eq!(mistake(&of("[0, 0, 0, 1]", ", \"size\": 1")), "f.json:2:55: a frame has no \"size\"");
+    assert_eq!(mistake(&of("[0, 0, 0, 1]", ", \"size\": 1")), "f.json:2:54: a frame has no \"size\"");
     let twice = "{\"position\": [0, 0, 0], \"quaternion\": [0, 0, 0, 1]}";
     assert_eq!(mistake(&format!("[{twice},\n{twice}]")), "f.json:2:1: frame 2 is the same as frame 1");
     let all = mistakes("[{\"position\": 1, \"quaternion\": [1]}, {}, {}]");
@@ -216,7 +216,7 @@ fn symbols_take_values_in_all_pieces() {
          domain u in 0..1; claim \"d\": degree(R) == (1, 9); claim \"d\": degree(R) == (-1, 0), when r == 0, expect refuted; \
          claim \"c\": continuity(R) == 2, when r == 3; }}"
     ));
-    assert_eq!(judgements[0].condition.as_deref(), Some("r != 0"));
+    assert_eq!(judgements[0].condition.as_deref(), Some("r > 0 and r != 0"));
     assert_eq!(judgements[1].derived, "(0, 3)");
     assert!(judgements.iter().all(|judgement| judgement.verdict == judgement.expected), "{judgements:?}");
 }
