@@ -8,10 +8,10 @@
 //! | numbers | [`Int`], [`Rational`], [`Enclosure`]; [`NumberField`]: towers of square roots; [`Complex`]; [`cos_pi`] |
 //! | polynomials | [`Poly`] over a [`Ring`]: arithmetic, exact division, gcd, [`Squarefree`], [`SquareSplit`], resultant |
 //! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
-//! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`Integral`] |
+//! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`QuadraticFraction`], [`Integral`] |
 //! | curves | [`Vector`], [`Quaternion`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
 //! | motions | [`Motion`] through [`Frame`]s: [`Spline`], [`onto_sphere`] |
-//! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], offset, [`SingularLocus`], [`ControlNet`] |
+//! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], [`FundamentalForms`], offsets, [`SingularLocus`] |
 //!
 //! # Example
 //! FN Example 2: a circular arc moves along a PH quintic, in its normal plane.
@@ -58,6 +58,7 @@ mod real;
 mod surface;
 
 pub use fraction::Fraction;
+pub use fraction::quadratic::QuadraticFraction;
 pub use geometry::calculus::Calculus;
 pub use geometry::curve::{Curve, KnownProperties, moving_frame_curve, rational_root};
 pub use geometry::curve_error::CurveError;
@@ -94,6 +95,8 @@ pub use surface::control_net::ControlNet;
 pub use surface::degree::Bidegree;
 pub use surface::derivation::{Derivation, Offset};
 pub use surface::essentials::Essentials;
+pub use surface::form_function::FormFunction;
+pub use surface::fundamental_forms::{FormError, FundamentalForms};
 pub use surface::homogeneous::Homogeneous;
 pub use surface::locus::Locus;
 pub use surface::normal::Normal;

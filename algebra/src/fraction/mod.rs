@@ -2,6 +2,7 @@
 
 mod display;
 mod operators;
+pub(crate) mod quadratic;
 
 use std::collections::BTreeMap;
 

@@ -9,6 +9,8 @@ pub(crate) mod derivation;
 pub(crate) mod direction;
 pub(crate) mod elimination;
 pub(crate) mod essentials;
+pub(crate) mod form_function;
+pub(crate) mod fundamental_forms;
 pub(crate) mod homogeneous;
 pub(crate) mod locus;
 pub(crate) mod normal;

@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::conditions::Conditions;
 use super::direction::Direction;
+use super::fundamental_forms::FundamentalForms;
 use super::homogeneous::Homogeneous;
 use super::normal::Normal;
 use super::squared_length::SquaredLength;
@@ -35,6 +36,7 @@ pub struct SweptSurface {
     homogeneous: OnceCell<Homogeneous>,
     normal: OnceCell<Option<Normal>>,
     conditions: OnceCell<Conditions>,
+    forms: OnceCell<Option<Box<FundamentalForms>>>,
 }
 
 /// The parametric speed along one family of isoparametric curves.
@@ -195,6 +197,7 @@ impl SweptSurface {
             homogeneous: OnceCell::new(),
             normal: OnceCell::new(),
             conditions: OnceCell::new(),
+            forms: OnceCell::new(),
         }
     }
 
@@ -205,6 +208,16 @@ impl SweptSurface {
     pub fn with_directions<'a>(self, vectors: impl IntoIterator<Item = &'a Vector>) -> SweptSurface {
         let directions = vectors.into_iter().filter_map(|vector| Direction::of(&vector.reduced(), &[]));
         SweptSurface { directions: directions.map(|direction| direction.numerator).collect(), ..self }
+    }
+
+    /// The same surface with these vectors for [`SweptSurface::with_directions`].
+    pub(super) fn with_known_directions(self, directions: &[[Poly; 3]]) -> SweptSurface {
+        SweptSurface { directions: directions.to_vec(), ..self }
+    }
+
+    /// Where the fundamental forms are kept.
+    pub(super) fn forms_cell(&self) -> &OnceCell<Option<Box<FundamentalForms>>> {
+        &self.forms
     }
 
     /// The vectors that derivatives may be parallel to.
@@ -369,7 +382,7 @@ impl SweptSurface {
             .ok_or_else(|| OffsetError::Irrational { odd: squared.split().odd.clone() })?;
         let position = &self.homogeneous().cartesian() + &unit.scale(distance);
         let surface = SweptSurface::new(position, self.parameters.clone(), self.domain.clone());
-        Ok(SweptSurface { directions: self.directions.clone(), ..surface })
+        Ok(surface.with_known_directions(&self.directions))
     }
 }
 

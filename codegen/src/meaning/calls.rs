@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use hodograph_algebra::{Fraction, Poly, Variable, Vector};
+use hodograph_algebra::{Fraction, Poly, QuadraticFraction, Variable, Vector};
 
 use super::expression::check_rational;
 use super::fault::Fault;
 use super::functions::function;
 use super::pieces;
+use super::roots;
 use super::scope::Scope;
 use super::value::{ComplexFraction, Value};
 use crate::language::Span;
@@ -138,6 +139,16 @@ pub(super) fn substitute(
             .or_else(|| fraction.lowest_terms().substitute(values))
             .ok_or_else(undefined)
     };
+    if roots::is_rooted(value) {
+        let parts = roots::parts(value, span)?.unwrap_or_default();
+        let here = |part: &QuadraticFraction| {
+            // Reports unknown functions and poles.
+            replace(part.rational_part())?;
+            replace(part.root_part())?;
+            part.substitute(values).ok_or_else(|| Fault::new(span, "the root of a negative number is not real"))
+        };
+        return Ok(roots::value_of(parts.iter().map(here).collect::<Result<_, _>>()?));
+    }
     Ok(match value.bare() {
         Value::Scalar(scalar) => Value::Scalar(replace(scalar)?),
         Value::Complex(complex) => {

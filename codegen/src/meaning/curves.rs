@@ -261,7 +261,7 @@ fn bezier(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Valu
 }
 
 /// The Bernstein polynomials of a degree on [0, 1].
-fn bernstein_basis(degree: usize, parameter: &Variable) -> Vec<Poly> {
+pub(super) fn bernstein_basis(degree: usize, parameter: &Variable) -> Vec<Poly> {
     let t = Poly::variable(parameter);
     let s = Poly::one() - &t;
     let mut basis = vec![Poly::one()];
@@ -380,7 +380,7 @@ fn plain(
 }
 
 /// The place of an element of a list.
-fn element(list: &Expr, index: usize) -> Option<Span> {
+pub(super) fn element(list: &Expr, index: usize) -> Option<Span> {
     list.children().nth(index).map(Expr::span)
 }
 

@@ -7,7 +7,7 @@ use hodograph_algebra::{Fraction, Poly, Rational, budget, integer, parse_decimal
 use super::fault::Fault;
 use super::scope::Scope;
 use super::value::{ComplexFraction, Value};
-use super::{calls, members};
+use super::{calls, members, roots};
 use crate::language::Span;
 use crate::language::ast::{Expr, ExprKind, ProductOperator, SumOperator};
 
@@ -49,6 +49,10 @@ impl Scope {
             ExprKind::Member { object, member } => members::member(self, span, object, member),
             ExprKind::Negative(operand) => {
                 let value = self.evaluate(operand)?;
+                if roots::is_rooted(&value) {
+                    let negative = roots::product(&scalar(integer(-1)), &value, span)?;
+                    return negative.ok_or_else(|| no_sign(operand.span(), &value));
+                }
                 product(&scalar(integer(-1)), &value).ok_or_else(|| no_sign(operand.span(), &value))
             }
             ExprKind::Sum { first, rest } => self.sum(first, rest),
@@ -70,6 +74,9 @@ impl Scope {
     /// The value of an expression that must be a scalar.
     pub(super) fn scalar(&self, expr: &Expr, role: &str) -> Result<Fraction, Fault> {
         let value = self.evaluate(expr)?;
+        if roots::is_rooted(&value) {
+            return roots::rational(&value, expr.span());
+        }
         value.scalar().ok_or_else(|| {
             let message = format!("{role} must be a scalar, but this is {}", value.kind());
             let fault = Fault::new(expr.span(), message);
@@ -101,6 +108,12 @@ impl Scope {
         let mut values = self.operands(first, rest)?.into_iter();
         let mut sum = values.next().unwrap_or_else(|| scalar(integer(0)));
         for ((operator, operand), value) in rest.iter().zip(values) {
+            if roots::concern(&sum, &value) {
+                let negative = matches!(operator, SumOperator::Minus);
+                let total = roots::sum(&sum, &value, negative, operand.span())?;
+                sum = total.ok_or_else(|| cannot(operand.span(), "add", &sum, &value))?;
+                continue;
+            }
             let signed = match operator {
                 SumOperator::Plus => Some(value.clone()),
                 SumOperator::Minus => product(&scalar(integer(-1)), &value),
@@ -115,6 +128,14 @@ impl Scope {
         let mut values = self.operands(first, rest)?.into_iter();
         let mut result = values.next().unwrap_or_else(|| scalar(integer(1)));
         for ((operator, operand), value) in rest.iter().zip(values) {
+            if roots::concern(&result, &value) {
+                let (total, verb) = match operator {
+                    ProductOperator::Times => (roots::product(&result, &value, operand.span())?, "multiply"),
+                    ProductOperator::Over => (roots::quotient(&result, &value, operand.span())?, "divide"),
+                };
+                result = total.ok_or_else(|| cannot(operand.span(), verb, &result, &value))?;
+                continue;
+            }
             result = match operator {
                 ProductOperator::Times => product(&result, &value)
                     .ok_or_else(|| cannot(operand.span(), "multiply", &result, &value))?,
@@ -161,6 +182,14 @@ impl Scope {
                 }
                 Value::Complex(result)
             }
+            rooted if roots::is_rooted(rooted) => match roots::power(rooted, count, base.span())? {
+                Some(raised) if power >= 0 => return Ok(raised),
+                Some(raised) => {
+                    let inverse = roots::quotient(&scalar(integer(1)), &raised, base.span())?;
+                    return inverse.ok_or_else(|| cannot(base.span(), "divide", rooted, rooted));
+                }
+                None => return Err(Fault::new(base.span(), format!("{} cannot be raised to a power", rooted.kind()))),
+            },
             other => {
                 let message = format!("{} cannot be raised to a power", other.kind());
                 return Err(

@@ -1,9 +1,11 @@
 //! The functions of the language: derivatives, products of vectors, roots, angles, degrees, offsets.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Point, Poly, Rational,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Point, Poly, QuadraticFraction,
+    Rational,
     Variable, Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
 };
 
@@ -12,6 +14,7 @@ use super::curves;
 use super::fault::Fault;
 use super::scope::Scope;
 use super::value::{ComplexFraction, DegreeValue, Value};
+use super::{roots, surfaces};
 use crate::language::Span;
 use crate::language::ast::{Expr, ExprKind};
 
@@ -21,6 +24,12 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "diff" => derivative(scope, call),
         "dot" => {
             let [a, b] = call.positional()?;
+            let (left, right) = (scope.evaluate(a)?, scope.evaluate(b)?);
+            if roots::concern(&left, &right)
+                && let Some(product) = roots::dot(&left, &right, call.span)?
+            {
+                return Ok(product);
+            }
             Ok(Value::Scalar(call.vector(a)?.dot(&call.vector(b)?)))
         }
         "cross" => {
@@ -30,6 +39,11 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "norm2" => {
             let [a] = call.positional()?;
             let value = scope.evaluate(a)?;
+            if roots::is_rooted(&value)
+                && let Some(product) = roots::dot(&value, &value, call.span)?
+            {
+                return Ok(product);
+            }
             match value.complex() {
                 Some(complex) => Ok(Value::Scalar(complex.norm2())),
                 None => Ok(Value::Scalar(call.vector_of(a, &value)?.norm2())),
@@ -109,7 +123,8 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         }
         "frame" => super::frames::frame(scope, call),
         "frames" | "frames_file" => super::frames::motion(scope, call),
-        "approx" | "coprime" | "is_rational" | "parallel" | "positive" => {
+        "bezier_patch" | "similarity" | "similarity_offset" => surfaces::function(scope, call),
+        "approx" | "coprime" | "is_pn" | "is_rational" | "parallel" | "positive" => {
             let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
             Err(fault.help("relations stand in `claim` clauses"))
         }
@@ -152,6 +167,12 @@ fn derivative(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     Ok(match evaluated.bare() {
         Value::Scalar(f) => Value::Scalar(scalar(f)),
         Value::Complex(f) => Value::Complex(ComplexFraction { re: scalar(&f.re), im: scalar(&f.im) }),
+        rooted if roots::is_rooted(rooted) => {
+            let parts = roots::parts(rooted, value.span())?.unwrap_or_default();
+            let derive = |f: &Fraction| calculus.derivative(f, &by);
+            let derived = |part| (0..order).fold(part, |part: QuadraticFraction, _| part.derivation(&derive));
+            roots::value_of(parts.into_iter().map(derived).collect())
+        }
         _ => {
             let derived = Value::Vector(call.vector_of(value, &evaluated)?.map(scalar));
             // The derivative of a curve is a function of the curve's parameter.
@@ -186,22 +207,23 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             }
         };
     }
-    let root = rational_root(&value.reduced()).map_err(|_| {
-        if let Some((radicand, _)) = symbolic_radicand(scope, &value) {
-            let radicand = super::expression::shortened(&radicand.to_string());
-            let message = format!("the square root of {radicand} depends on the symbols alone, but is no rational function of them");
-            let mut fault = Fault::new(a.span(), message).help("introduce a symbol for the root, or set symbols by `when`");
-            fault.undecidable = true;
-            return fault;
-        }
-        let split = value.reduced().numerator().square_split();
-        let message = format!("this square root is not a rational function: {} is not a square", split.odd);
-        let mut fault =
-            Fault::new(a.span(), message).help("roots of functions must be exact: only squares have them");
-        fault.irrational = true;
-        fault
+    if let Ok(root) = rational_root(&value.reduced()) {
+        return nonnegative(scope, &root.lowest_terms(), a.span()).map(Value::Scalar);
+    }
+    if let Some((radicand, _)) = symbolic_radicand(scope, &value) {
+        let radicand = super::expression::shortened(&radicand.to_string());
+        let message = format!("the square root of {radicand} depends on the symbols alone, but is no rational function of them");
+        let mut fault = Fault::new(a.span(), message).help("introduce a symbol for the root, or set symbols by `when`");
+        fault.undecidable = true;
+        return Err(fault);
+    }
+    let root = QuadraticFraction::root_of(&value).ok_or_else(|| {
+        Fault::new(a.span(), "this square root has no form here").help("the radicand must not be negative")
     })?;
-    nonnegative(scope, &root.lowest_terms(), a.span()).map(Value::Scalar)
+    // √(f²q) = |f|·√q
+    let factor = nonnegative(scope, &root.root_part().lowest_terms(), a.span())?;
+    let negative = factor != *root.root_part();
+    Ok(Value::Root(Rc::new(if negative { root.scale(&integer(-1).into()) } else { root })))
 }
 
 /// Whether a polynomial depends on a parameter or an unknown function: with numbers for the symbols it is no number.
@@ -273,7 +295,11 @@ fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, F
             .help(help))
     };
     let mut domain = Vec::new();
-    for variable in root.occurring_variables() {
+    // Even powers have no sign.
+    let factors = root.factors().iter().cloned().chain(root.numerator().squarefree().factors);
+    let signed = factors.filter(|(_, exponent)| exponent % 2 == 1);
+    let varying: BTreeSet<Variable> = signed.flat_map(|(factor, _)| factor.occurring_variables()).collect();
+    for variable in varying {
         let Some(interval) = scope.domains.get(&variable) else {
             let help =
                 "write the root itself, with the sign that is meant, or state the domain of the parameter";
@@ -282,8 +308,10 @@ fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, F
         domain.push((variable, interval.clone()));
     }
     // A factor and its reciprocal have the same sign.
-    let signed = root.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
-    let signed = signed.fold(root.numerator().clone(), |product, (factor, _)| product * factor);
+    let signed = root.factors().iter().cloned().chain(root.numerator().squarefree().factors);
+    let signed = signed.filter(|(_, exponent)| exponent % 2 == 1);
+    let unit = root.numerator().squarefree().unit;
+    let signed = signed.fold(unit, |product, (factor, _)| product * factor);
     match signed.sign_on(&domain) {
         Some(BoxSign::Positive | BoxSign::Zero | BoxSign::NonNegative { .. }) => Ok(root.clone()),
         Some(BoxSign::Negative | BoxSign::NonPositive { .. }) => Ok(-root),

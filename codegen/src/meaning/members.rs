@@ -6,6 +6,7 @@ use hodograph_algebra::{Curve, Fraction, SweptSurface, Vector};
 
 use super::fault::Fault;
 use super::scope::{COORDINATES, Scope};
+use super::surfaces;
 use super::value::Value;
 use crate::language::ast::{Expr, Name};
 use crate::language::{Span, closest};
@@ -29,12 +30,16 @@ const CURVE_MEMBERS: &[&str] = &[
 ];
 
 /// The members of surfaces.
-const SURFACE_MEMBERS: &[&str] = &["W", "X", "Y", "Z", "x", "y", "z"];
+const SURFACE_MEMBERS: &[&str] =
+    &["E", "F", "G", "H", "K", "L", "M", "N", "W", "X", "Y", "Z", "unit_normal", "x", "y", "z"];
 
 /// The value of `object.member`.
 pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) -> Result<Value, Fault> {
     let value = scope.evaluate(object)?;
     let name = member.value.as_str();
+    if surfaces::is_form(name) && surfaces::may_be_surface(&value) {
+        return surfaces::form(scope, object.span(), &value, name);
+    }
     match value.bare() {
         Value::Curve(curve) => curve_member(curve, span, member),
         Value::Motion(motion) => super::frames::member(motion, span, member),

@@ -658,7 +658,9 @@ mod members;
 mod number;
 mod pieces;
 mod relation;
+mod roots;
 mod scope;
+mod surfaces;
 mod value;
 mod witness;
 

@@ -1,6 +1,8 @@
 //! What becomes of a claim: relations to verdicts, computed exactly.
 
-use hodograph_algebra::{BoxSign, Fraction, Interval, OffsetError, Poly, Variable, integer, parse_decimal};
+use hodograph_algebra::{
+    BoxSign, Fraction, Interval, OffsetError, Poly, QuadraticFraction, Variable, integer, parse_decimal,
+};
 
 use super::assumptions::Assumptions;
 use super::expression::shortened;
@@ -8,7 +10,7 @@ use super::fault::Fault;
 use super::scope::Scope;
 use super::value::Value;
 use super::witness;
-use super::{calls, functions, generic};
+use super::{calls, functions, generic, roots, surfaces};
 use crate::language::Span;
 use crate::language::ast::{Argument, Expr, ExprKind, RelationOperator, Verdict};
 
@@ -140,8 +142,14 @@ fn predicate(
         }
         "positive" => {
             let [a] = call.positional()?;
-            let value = scope.scalar(a, "what is claimed to be positive")?;
-            inequality(scope, &value, true, relation.span())
+            match signed(scope, a, &scope.evaluate(a)?, "what is claimed to be positive")? {
+                Some(value) => inequality(scope, &value, true, relation.span()),
+                None => Ok(Finding::undecided(TWO_PARTS)),
+            }
+        }
+        "is_pn" => {
+            let [a] = call.positional()?;
+            is_pn(scope, a)
         }
         "is_rational" => {
             let [a] = call.positional()?;
@@ -216,6 +224,22 @@ fn compare(
         RelationOperator::NotEqual => return Ok(equality(assumptions, left, &a, right, &b)?.negated()),
         _ => {}
     }
+    if roots::concern(&a, &b) {
+        let span = left.span().to(right.span());
+        let (more, less, strict) = match operator {
+            RelationOperator::Less => (&b, &a, true),
+            RelationOperator::Greater => (&a, &b, true),
+            RelationOperator::GreaterEqual => (&a, &b, false),
+            _ => (&b, &a, false),
+        };
+        let Some(difference) = roots::sum(more, less, true, span)? else {
+            return Err(Fault::new(span, "an inequality compares scalars"));
+        };
+        return match signed(scope, left, &difference, "a side of an inequality")? {
+            Some(value) => inequality(scope, &value, strict, span),
+            None => Ok(Finding::undecided(TWO_PARTS)),
+        };
+    }
     let side = |value: &Value, expr: &Expr| {
         value.scalar().ok_or_else(|| {
             Fault::new(expr.span(), format!("an inequality compares scalars, but this is {}", value.kind()))
@@ -249,6 +273,9 @@ fn equality(
     right: &Expr,
     b: &Value,
 ) -> Result<Finding, Fault> {
+    if roots::concern(a, b) {
+        return rooted_equality(assumptions, left, a, right, b);
+    }
     let (a, b) = components(left, a, right, b)?;
     let differences: Vec<Fraction> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
     let holds = differences.iter().all(Fraction::is_zero);
@@ -260,6 +287,79 @@ fn equality(
     Ok(Finding::new(false, format!("the left side is {value}"))
         .with_witness(witness)
         .about(a.iter().chain(&b)))
+}
+
+/// An equation between scalars or vectors with square roots.
+fn rooted_equality(
+    assumptions: &Assumptions,
+    left: &Expr,
+    a: &Value,
+    right: &Expr,
+    b: &Value,
+) -> Result<Finding, Fault> {
+    let (a_parts, b_parts) = (roots::parts(a, left.span())?, roots::parts(b, right.span())?);
+    let (a, b) = match (a_parts, b_parts) {
+        (Some(a), Some(b)) if a.len() == b.len() => (a, b),
+        _ => {
+            let message = format!("{} is compared with {}", a.kind(), b.kind());
+            return Err(Fault::new(left.span().to(right.span()), message)
+                .help("both sides must be scalars, or vectors"));
+        }
+    };
+    let holds = a.iter().zip(&b).all(|(a, b)| a == b);
+    let variables = a.iter().chain(&b).flat_map(QuadraticFraction::occurring_variables);
+    let value = print_rooted(&a);
+    let finding = if holds {
+        Finding::new(true, format!("both sides are {value}"))
+    } else {
+        let witness = witness::unequal_roots(assumptions, &a, &b);
+        Finding::new(false, format!("the left side is {value}")).with_witness(witness)
+    };
+    Ok(finding.about_variables(variables))
+}
+
+/// Components with square roots for a report.
+fn print_rooted(parts: &[QuadraticFraction]) -> String {
+    let texts: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    match texts.as_slice() {
+        [one] => cut(one.clone()),
+        many => cut(format!("({})", many.join(", "))),
+    }
+}
+
+/// What is undecided of a sum of a rational function and a root.
+const TWO_PARTS: &str = "the sign of the sum of a rational function and a square root is not decided";
+
+/// A rational function of the same sign as a scalar, which is rational or a multiple `b·√q` of a root: then it is `b·q`. `None`
+/// for sums of both.
+fn signed(scope: &Scope, expr: &Expr, value: &Value, role: &str) -> Result<Option<Fraction>, Fault> {
+    if !roots::is_rooted(value) {
+        let scalar = value.scalar();
+        return if scalar.is_some() { Ok(scalar) } else { scope.scalar(expr, role).map(Some) };
+    }
+    let parts = roots::parts(value, expr.span())?.unwrap_or_default();
+    let [scalar] = parts.as_slice() else {
+        return Err(Fault::new(expr.span(), format!("{role} must be a scalar, but this is {}", value.kind())));
+    };
+    if let Some(rational) = scalar.to_rational_function() {
+        return Ok(Some(rational));
+    }
+    let radicand = Fraction::from(scalar.radicand().clone());
+    Ok(scalar.rational_part().is_zero().then(|| (scalar.root_part() * &radicand).reduced()))
+}
+
+/// Whether a surface is a Pythagorean-normal surface in its parameters.
+fn is_pn(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
+    let surface = surfaces::surface(scope, expr)?;
+    let normal = surface.normal().map_err(|error| Fault::offset(expr.span(), &error))?;
+    let squared = normal.squared_length();
+    let split = squared.split();
+    let derived = if split.is_square() {
+        format!("R_u x R_v has the direction N with |N|^2 = {}*({})^2", split.unit, cut(split.root.to_string()))
+    } else {
+        format!("|N|^2 for the direction N of R_u x R_v has the factor {} to an odd power", cut(split.odd.to_string()))
+    };
+    Ok(Finding::new(normal.is_rational(), derived).about(surface.position().components()))
 }
 
 /// The components of both sides of an equation, as many on the left as on the right.
@@ -299,6 +399,11 @@ pub(super) fn print(components: &[Fraction]) -> String {
         [one] => one.clone(),
         many => format!("({})", many.join(", ")),
     };
+    cut(parts)
+}
+
+/// A text, cut where very long.
+fn cut(parts: String) -> String {
     const LONGEST: usize = 400;
     if parts.chars().count() <= LONGEST {
         return parts;
@@ -348,6 +453,15 @@ fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault>
     let scope = &assumptions.scope;
     let unknowns = || generic::unknowns(scope, expr);
     match scope.evaluate(expr) {
+        Ok(value) if roots::is_rooted(&value) && value.scalar().is_none() => {
+            let parts = roots::parts(&value, expr.span())?.unwrap_or_default();
+            let message = match parts.iter().find(|part| !part.is_rational()) {
+                Some(part) => *roots::irrational(expr.span(), part).diagnostic,
+                None => *Fault::new(expr.span(), "it has a square root").diagnostic,
+            };
+            let variables = parts.iter().flat_map(QuadraticFraction::occurring_variables);
+            Ok(Finding::new(false, message.message).about_variables(variables.chain(unknowns())))
+        }
         Err(fault) if fault.irrational => {
             Ok(Finding::new(false, fault.diagnostic.message).about_variables(unknowns()))
         }

@@ -23,6 +23,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "bernstein_coefficient",
     "bernstein_product",
     "bezier",
+    "bezier_patch",
     "conj",
     "continuity",
     "coprime",
@@ -39,6 +40,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "gcd",
     "homogeneous",
     "im",
+    "is_pn",
     "is_rational",
     "norm2",
     "normal",
@@ -52,6 +54,8 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "re",
     "regular_curve",
     "resultant",
+    "similarity",
+    "similarity_offset",
     "sin",
     "sqrt",
 ];
@@ -97,6 +101,8 @@ pub(super) struct Scope {
     pub(super) has_surface: bool,
     /// The conditions of homogeneous coordinates that have been asked for; `None` where the budget did not suffice.
     pub(super) conditions: Rc<RefCell<Vec<KnownConditions>>>,
+    /// Vectors that have been taken for surfaces, with their forms.
+    pub(super) patches: Rc<RefCell<Vec<Rc<SweptSurface>>>>,
     /// The item that it belongs to.
     pub(super) item: Option<Rc<Item>>,
     /// Symbols that have values, which may contain other symbols.
@@ -131,6 +137,7 @@ impl Scope {
             news: RefCell::default(),
             has_surface: false,
             conditions: Rc::default(),
+            patches: Rc::default(),
             item: None,
             settings: BTreeMap::new(),
             surface: None,
@@ -297,8 +304,11 @@ impl Scope {
 
     /// Puts another surface in the place of the item's own.
     pub(super) fn replace_surface(&mut self, surface: &Rc<SweptSurface>) {
+        let own = self.surface.take();
         for (value, _) in self.values.values_mut() {
-            if matches!(value, Value::Surface(_)) {
+            if let (Value::Surface(surface), Some(own)) = (&*value, &own)
+                && Rc::ptr_eq(surface, own)
+            {
                 *value = Value::Surface(surface.clone());
             }
         }

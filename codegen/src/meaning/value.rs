@@ -3,7 +3,11 @@
 use std::fmt;
 use std::rc::Rc;
 
-use hodograph_algebra::{Curve, Fraction, Frame, MotionSegment, OffsetError, SweptSurface, Variable, Vector};
+use hodograph_algebra::{
+    Curve, Fraction, Frame, MotionSegment, OffsetError, QuadraticFraction, SweptSurface, Variable, Vector,
+};
+
+use super::roots::FormValue;
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -28,6 +32,12 @@ pub(super) enum Value {
     Frame(Rc<Frame>),
     /// A segment of a motion through frames.
     Motion(Rc<MotionSegment>),
+    /// A formula in the fundamental forms of a surface.
+    Form(Rc<FormValue>),
+    /// A scalar with a square root of a function.
+    Root(Rc<QuadraticFraction>),
+    /// A vector with a square root of a function.
+    RootVector(Rc<[QuadraticFraction]>),
     /// A function of parameters, `let c(v) = …`.
     Function(Rc<FunctionValue>),
     /// The degrees of polynomials.
@@ -126,6 +136,9 @@ impl Value {
             Value::Offset(_) => "an offset surface",
             Value::Frame(_) => "a frame",
             Value::Motion(_) => "a motion",
+            Value::Form(_) => "a formula in fundamental forms",
+            Value::Root(_) => "a function with a square root",
+            Value::RootVector(_) => "a vector with a square root",
             Value::Function(_) => "a function",
             Value::Degree(_) => "a degree",
         }
@@ -146,6 +159,7 @@ impl Value {
         match self.bare() {
             Value::Scalar(value) => Some(value.clone()),
             Value::Complex(value) if value.im.is_zero() => Some(value.re.clone()),
+            Value::Form(form) => form.value().ok()?.to_rational_function(),
             _ => None,
         }
     }
@@ -173,6 +187,7 @@ impl Value {
         match self.bare() {
             Value::Scalar(value) => Some(value.clone().into()),
             Value::Complex(value) => Some(value.clone()),
+            Value::Form(_) => self.scalar().map(ComplexFraction::from),
             _ => None,
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use hodograph_algebra::{Fraction, Interval, Point, Poly, Rational, Variable, ratio};
+use hodograph_algebra::{Fraction, Interval, Point, Poly, QuadraticFraction, Rational, Variable, ratio};
 
 use super::assumptions::Assumptions;
 
@@ -12,6 +12,20 @@ const MOST_TRIALS: i64 = 64;
 /// A rational point at which the components of `a` and `b` differ, with both values.
 pub(super) fn unequal(assumptions: &Assumptions, a: &[Fraction], b: &[Fraction]) -> Option<String> {
     find(assumptions, a, b, |a, b| a != b)
+}
+
+/// The same for components with square roots.
+pub(super) fn unequal_roots(
+    assumptions: &Assumptions,
+    a: &[QuadraticFraction],
+    b: &[QuadraticFraction],
+) -> Option<String> {
+    let variables = a.iter().chain(b).flat_map(QuadraticFraction::occurring_variables).collect();
+    let evaluate = |side: &[QuadraticFraction], values: &BTreeMap<Variable, Fraction>| -> Option<Vec<Poly>> {
+        side.iter().map(|f| f.substitute(values)?.to_rational_function()?.to_number()).collect()
+    };
+    let sides = |values: &BTreeMap<Variable, Fraction>| Some((evaluate(a, values)?, evaluate(b, values)?));
+    search(assumptions, variables, a.len(), &sides, |a, b| a != b)
 }
 
 /// A rational point at which `p ≠ q`, which are a minor's products for `a` and `b`; the values shown are those of `a` and
@@ -70,7 +84,25 @@ fn find_shown(
     shown: usize,
     differ: impl Fn(&[Poly], &[Poly]) -> bool,
 ) -> Option<String> {
-    let mut variables: Vec<Variable> = a.iter().chain(b).flat_map(Fraction::occurring_variables).collect();
+    let variables = a.iter().chain(b).flat_map(Fraction::occurring_variables).collect();
+    let evaluate = |side: &[Fraction], values: &BTreeMap<Variable, Fraction>| -> Option<Vec<Poly>> {
+        side.iter().map(|f| f.substitute(values).and_then(|value| value.to_number())).collect()
+    };
+    let sides = |values: &BTreeMap<Variable, Fraction>| Some((evaluate(a, values)?, evaluate(b, values)?));
+    search(assumptions, variables, shown, &sides, differ)
+}
+
+/// Both sides at a point.
+type Sides<'a> = dyn Fn(&BTreeMap<Variable, Fraction>) -> Option<(Vec<Poly>, Vec<Poly>)> + 'a;
+
+/// A point at which both sides, which depend on `variables`, differ; so many of their components are shown.
+fn search(
+    assumptions: &Assumptions,
+    mut variables: Vec<Variable>,
+    shown: usize,
+    sides: &Sides<'_>,
+    differ: impl Fn(&[Poly], &[Poly]) -> bool,
+) -> Option<String> {
     variables.sort();
     variables.dedup();
     // The values of symbols must be such as the claim assumes.
@@ -90,10 +122,7 @@ fn find_shown(
         }
         let values: BTreeMap<Variable, Fraction> =
             at.iter().map(|(variable, value)| (variable.clone(), value.clone().into())).collect();
-        let evaluate = |side: &[Fraction]| -> Option<Vec<Poly>> {
-            side.iter().map(|f| f.substitute(&values).and_then(|value| value.to_number())).collect()
-        };
-        let (Some(left), Some(right)) = (evaluate(a), evaluate(b)) else { continue };
+        let Some((left, right)) = sides(&values) else { continue };
         if differ(&left, &right) {
             let print = |side: &[Poly]| {
                 let parts: Vec<String> = side.iter().take(shown).map(Poly::to_string).collect();
