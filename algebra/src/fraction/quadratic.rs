@@ -170,8 +170,7 @@ impl QuadraticFraction {
         // 1/(a + b√q) = (a − b√q)/(a² − b²q); q is no square, so the norm vanishes with both parts only.
         let norm = &(&self.rational * &self.rational) - &(&(&self.root * &self.root) * &radicand);
         let inverse = norm.reduced().reciprocal(&[])?;
-        let conjugate =
-            QuadraticFraction::new(self.rational.clone(), -&self.root, self.radicand.clone());
+        let conjugate = QuadraticFraction::new(self.rational.clone(), -&self.root, self.radicand.clone());
         let QuadraticFraction { rational, root, radicand } = conjugate.scale(&inverse);
         Some(QuadraticFraction::new(rational.reduced(), root.reduced(), radicand))
     }
@@ -223,7 +222,8 @@ impl QuadraticFraction {
     /// Whether the representation is as described at [`QuadraticFraction`].
     #[must_use]
     pub fn is_valid(&self) -> bool {
-        let radicand = if self.radicand.content().is_negative() { -&self.radicand } else { self.radicand.clone() };
+        let radicand =
+            if self.radicand.content().is_negative() { -&self.radicand } else { self.radicand.clone() };
         let squarefree = || radicand.square_split().odd == radicand && !radicand.is_constant();
         self.rational.is_valid()
             && self.root.is_valid()

@@ -79,7 +79,9 @@ impl fmt::Display for FormError {
                 write!(f, "the divisor {divisor} is zero everywhere on this surface")?;
                 f.write_str(match divisor.as_str() {
                     "L*N - M^2" => ": its Gaussian curvature vanishes, it is developable",
-                    "E*N - 2*F*M + G*L" => ": its mean curvature vanishes, it is a minimal surface or a plane",
+                    "E*N - 2*F*M + G*L" => {
+                        ": its mean curvature vanishes, it is a minimal surface or a plane"
+                    }
                     _ => "",
                 })
             }
@@ -93,9 +95,9 @@ impl fmt::Display for FormError {
                 }
                 Ok(())
             }
-            FormError::Mixed => {
-                f.write_str("a similarity of ratio rho multiplies the terms of this formula by different powers of rho")
-            }
+            FormError::Mixed => f.write_str(
+                "a similarity of ratio rho multiplies the terms of this formula by different powers of rho",
+            ),
             FormError::TooLarge => {
                 f.write_str("the square of the normal's length is too large to be multiplied out")
             }
@@ -120,9 +122,9 @@ impl FundamentalForms {
         let normal = surface.normal().ok()?.clone();
         let parameters = surface.parameters().clone();
         let position = surface.homogeneous().cartesian();
-        let [u, v] = parameters.each_ref().map(|parameter| {
-            Direction::of(&position.derivative(parameter), surface.directions())
-        });
+        let [u, v] = parameters
+            .each_ref()
+            .map(|parameter| Direction::of(&position.derivative(parameter), surface.directions()));
         let along = [u?, v?];
         let vector = normal.numerator();
         let turn = parameters.each_ref().map(|by| vector.each_ref().map(|part| part.derivative(by)));
@@ -163,9 +165,8 @@ impl FundamentalForms {
         let product = |a: &Direction, b: &Direction| {
             a.factor.reduced_product(&b.factor).reduced_product(&dot(&a.numerator, &b.numerator).into())
         };
-        let bend = |a: &Direction, turn: &[Poly; 3]| {
-            a.factor.reduced_product(&(-dot(&a.numerator, turn)).into())
-        };
+        let bend =
+            |a: &Direction, turn: &[Poly; 3]| a.factor.reduced_product(&(-dot(&a.numerator, turn)).into());
         [
             product(u, u),
             product(u, v),
@@ -357,11 +358,8 @@ impl Value {
         // |N|^−odds = |N|·(|N|²)^−((odds + 1)/2)
         let irrational = forms.length()?.scale(&power(odd, (odds + 1) / 2)?);
         let sum = irrational.plus(&power(even, evens / 2)?.into()).ok_or(FormError::TooLarge)?;
-        let sum = if exponent > 0 {
-            sum
-        } else {
-            sum.reciprocal().ok_or(FormError::Vanishes { divisor: name })?
-        };
+        let sum =
+            if exponent > 0 { sum } else { sum.reciprocal().ok_or(FormError::Vanishes { divisor: name })? };
         (0..exponent.abs()).for_each(|_| self.mixed.push(sum.clone()));
         Ok(())
     }

@@ -145,7 +145,8 @@ pub(super) fn substitute(
             // Reports unknown functions and poles.
             replace(part.rational_part())?;
             replace(part.root_part())?;
-            part.substitute(values).ok_or_else(|| Fault::new(span, "the root of a negative number is not real"))
+            part.substitute(values)
+                .ok_or_else(|| Fault::new(span, "the root of a negative number is not real"))
         };
         return Ok(roots::value_of(parts.iter().map(here).collect::<Result<_, _>>()?));
     }
@@ -239,6 +240,12 @@ impl<'a> Call<'a> {
     /// The vector that the value of an argument is, which must be one.
     pub(super) fn vector_of(&self, expr: &Expr, value: &Value) -> Result<Vector, Fault> {
         check_rational(expr, value)?;
+        if roots::is_rooted(value)
+            && let Some(parts) = roots::parts(value, expr.span())?
+            && let Some(part) = parts.iter().find(|part| !part.is_rational())
+        {
+            return Err(roots::irrational(expr.span(), part));
+        }
         value.vector().ok_or_else(|| {
             let message = format!("`{}` needs a vector here, but this is {}", self.name, value.kind());
             Fault::new(expr.span(), message)

@@ -188,7 +188,12 @@ impl Scope {
                     let inverse = roots::quotient(&scalar(integer(1)), &raised, base.span())?;
                     return inverse.ok_or_else(|| cannot(base.span(), "divide", rooted, rooted));
                 }
-                None => return Err(Fault::new(base.span(), format!("{} cannot be raised to a power", rooted.kind()))),
+                None => {
+                    return Err(Fault::new(
+                        base.span(),
+                        format!("{} cannot be raised to a power", rooted.kind()),
+                    ));
+                }
             },
             other => {
                 let message = format!("{} cannot be raised to a power", other.kind());

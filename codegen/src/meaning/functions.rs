@@ -4,9 +4,8 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Point, Poly, QuadraticFraction,
-    Rational,
-    Variable, Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
+    Bidegree, BoxSign, Curve, Fraction, Homogeneous, NotConstructible, OffsetError, Point, Poly,
+    QuadraticFraction, Rational, Variable, Vector, cos_pi, exp_i_pi, integer, rational_root, sin_pi,
 };
 
 use super::calls::Call;
@@ -212,8 +211,11 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     }
     if let Some((radicand, _)) = symbolic_radicand(scope, &value) {
         let radicand = super::expression::shortened(&radicand.to_string());
-        let message = format!("the square root of {radicand} depends on the symbols alone, but is no rational function of them");
-        let mut fault = Fault::new(a.span(), message).help("introduce a symbol for the root, or set symbols by `when`");
+        let message = format!(
+            "the square root of {radicand} depends on the symbols alone, but is no rational function of them"
+        );
+        let mut fault =
+            Fault::new(a.span(), message).help("introduce a symbol for the root, or set symbols by `when`");
         fault.undecidable = true;
         return Err(fault);
     }

@@ -2,7 +2,8 @@
 //!
 //! The grammar is that of [`language`](crate::language). This is the reference of what clauses, names, operators,
 //! functions, members and relations stand for. FN is Farouki and Nittler, *Rational swept surface constructions based
-//! on differential and integral sweep curve properties*, 2014; numbers in brackets are its equations.
+//! on differential and integral sweep curve properties*, 2014; numbers in brackets are its equations. GE is Georgiev, *Rational
+//! generalized offsets of rational surfaces*, 2012.
 //!
 //! ```
 //! use hodograph_algebra::budget::DEFAULT_LIMIT;
@@ -127,6 +128,8 @@
 //! | frame, motion | `frame(…)`, the name of a motion | |
 //! | curve, surface | its name | its position vector |
 //! | degree | `degree(…)` | stands on the left side of a relation only |
+//! | formula in fundamental forms | `R.L`, `R.H/R.K` | scalar, for the surface's forms; see *Fundamental forms* |
+//! | scalar or vector with a root | `sqrt(1 + u^2)`, `R.unit_normal` | `a + b*sqrt(q)` with one radicand q |
 //!
 //! | operator | for |
 //! | --- | --- |
@@ -177,8 +180,10 @@
 //! ## Roots and angles
 //!
 //! - `sqrt(a)`: the square root that is not negative. Of a number it is exact: it stays in a tower of square roots of
-//!   at most 16 storeys. Of a function it exists if the function is a square of a rational function that keeps one sign
-//!   on the domain. Errors: a negative number; no square; a sign that changes, or that depends on symbols.
+//!   at most 16 storeys. Of a function `f^2*q` with squarefree q it is `|f|*sqrt(q)`, where f keeps one sign on the domain: a rational
+//!   function if q is a positive number, else a value with a root, for sums, products, quotients, `diff`, calls and relations; sums of roots of
+//!   different radicands have no form. Where a rational function is needed, as in curves and surfaces, it is an error. Errors: a negative
+//!   number; a sign of f that changes, or that depends on symbols; a radicand that depends on symbols alone.
 //! - `abs(a)`: the absolute value of a number.
 //! - `cos(q*pi)`, `sin(q*pi)`, `exp(I*q*pi)`: for rational `q` whose denominator is a power of two, up to 2¹⁰
 //!   ([`MAX_ANGLE_HALVINGS`](hodograph_algebra::MAX_ANGLE_HALVINGS)), times a product of different ones of 3, 5 and 17:
@@ -225,6 +230,15 @@
 //! - `offset(R, d)`: the offset surface `R + d·N` of (12) with the unit normal `N`, for a scalar `d`. Errors, except in
 //!   `is_rational`: it is not rational in the given parameters, or only over a root of the symbols.
 //! - `offset(s, d)`: the offset curve of (8), as `s.offset(d)`.
+//! - `similarity_offset(R, f, d)`: the surface `R + d*f*n1` of GE (4.10) with the unit normal n1, for a similarity function `f`, a formula
+//!   in the fundamental forms of R that scales as a length does; see *Fundamental forms*. It is rational for every rational surface, and the
+//!   same on both sides of it. R may be a vector in the two parameters of the item.
+//! - `similarity(a, ratio = rho, rotation = (w, x, y, z), translation = t)`: the image of a vector, or of a surface as a vector, under the
+//!   direct similarity GE (2.1): turned by a quaternion, of any length but zero, then multiplied by the ratio, then shifted. Each part may
+//!   be left out; the image of a difference of points is that without `translation`.
+//! - `bezier_patch([[p00, p01, …], [p10, …], …])`: the Bézier patch over the unit square with these control points, a row for each index of the first
+//!   parameter; a vector in the two parameters of the item. `bezier_patch([[…], …], weights = [[w00, …], …])`: the rational one. Errors: rows of
+//!   different lengths; weights that cancel.
 //!
 //! ```
 //! # use hodograph_codegen::{language::parse_text, meaning::models};
@@ -248,6 +262,51 @@
 //! }"#);
 //! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
 //! assert_eq!(judgements[0].1, "both sides are v^2 + 1");
+//! ```
+//!
+//! ### Fundamental forms
+//!
+//! For a surface, or a vector in the two parameters of the item, with domains for both; all can be called, as in `R.K(1/2, 0)`.
+//!
+//! | member | what it is | equation | weight |
+//! | --- | --- | --- | --- |
+//! | `E`, `F`, `G` | `R_u·R_u`, `R_u·R_v`, `R_v·R_v` | GE (4.2) | 2 |
+//! | `L`, `M`, `N` | `R_uu·n1`, `R_uv·n1`, `R_vv·n1` | GE (4.3) | 1 |
+//! | `K` | the Gaussian curvature `(L*N - M^2)/(E*G - F^2)` | GE (5.2) | −2 |
+//! | `H` | the mean curvature `(E*N - 2*F*M + G*L)/(2*(E*G - F^2))` | GE (5.2) | −1 |
+//! | `unit_normal` | `n1 = (R_u × R_v)/√(E*G - F^2)`; beyond a curve where the normal is zero, its smooth continuation | GE (4.4) | |
+//!
+//! What is made of them by `+`, `-`, `*`, `/`, `^` stays a formula, with functions of parameters and symbols for its coefficients. A similarity of ratio
+//! ρ multiplies a formula of the weight w by ρʷ; those of weight 1, such as `R.L - 2*R.M + R.N`, `R.H/R.K`, `1/R.H`, `R.E/R.L`, are the
+//! similarity functions (GE Definition 4.1). Errors of `similarity_offset`: another weight, or terms of different weights; a divisor that is zero on the whole
+//! surface, such as `R.K` on developable surfaces and `R.H` on minimal ones; the forms of another surface.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"sweep saddle {
+//!     symbol d, rho;
+//!     let S = bezier_patch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]);
+//!     surface R = similarity_offset(S, S.L - 2*S.M + S.N, d);
+//!     domain u in 0..1, v in 0..1;
+//!     claim "patch": S == (u, v, u*v);
+//!     claim "offset": R == S - 2*d*(-v, -u, 1)/(1 + u^2 + v^2);
+//!     claim "degree": degree(R) == (3, 3);
+//!     claim "E": S.E == 1 + v^2;
+//!     claim "M": S.M == 1/sqrt(1 + u^2 + v^2);
+//!     claim "K": S.K(1, 1) == -1/9;
+//!     claim "normal": S.unit_normal == 1/sqrt(1 + u^2 + v^2)*(-v, -u, 1);
+//!     claim "focal": similarity_offset(S, S.H/S.K, d) == S + d*u*v*(-v, -u, 1);
+//!     claim "image": similarity(S, ratio = rho, rotation = (1, 0, 0, 1)) == rho*(-v, u, u*v);
+//!     claim "negative": S.K < 0;
+//! }"#);
+//! assert!(judgements.iter().all(|(verdict, _)| verdict == "proved"));
+//! assert_eq!(judgements[4].1, "both sides are (1/(u^2 + v^2 + 1))*sqrt(u^2 + v^2 + 1)");
 //! ```
 //!
 //! # Constructors
@@ -501,7 +560,7 @@
 //! | --- | --- |
 //! | vectors | `x`, `y`, `z` |
 //! | homogeneous coordinates | `W`, `X`, `Y`, `Z` |
-//! | surfaces and their offsets | `x`, `y`, `z`; `W`, `X`, `Y`, `Z` without common factor (10) |
+//! | surfaces and their offsets | `x`, `y`, `z`; `W`, `X`, `Y`, `Z` without common factor (10); those of *Fundamental forms* |
 //!
 //! # Claims
 //!
@@ -519,6 +578,7 @@
 //! | `positive(a)` | `a > 0` on the domain |
 //! | `parallel(a, b)` | neither is zero and each is a multiple of the other by a scalar function: vectors, or tuples of one length |
 //! | `coprime(f, g, …)` | the polynomials, two at least, have no common factor |
+//! | `is_pn(R)` | the unit normal of the surface is rational in the given parameters, over the real numbers: a Pythagorean-normal surface |
 //! | `is_rational(a)` | the value exists as a rational function of the given parameters, over the real numbers |
 //! | `approx(a, 1.4142)` | the number differs from the decimal by half a unit of its last digit at most |
 //! | `not relation` | the relation is refuted |
@@ -618,7 +678,7 @@
 //! | independent square roots in a number | 16 |
 //! | order of `diff` | 100; 6 for an unknown function |
 //! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial has room for: 22 in a sweep, those of `ph(21)` |
-//! | control points of `bezier` | 101 |
+//! | control points of `bezier`; of `bezier_patch` | 101; 33 rows and columns |
 //! | work for all clauses of a file, but for the claims | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units, or what [`models_within`] is given |
 //! | work for one claim | what [`Model::check`] is given |
 //!

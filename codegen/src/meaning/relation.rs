@@ -328,10 +328,11 @@ fn print_rooted(parts: &[QuadraticFraction]) -> String {
 }
 
 /// What is undecided of a sum of a rational function and a root.
-const TWO_PARTS: &str = "the sign of the sum of a rational function and a square root is not decided";
+const TWO_PARTS: &str =
+    "the rational part and the square root may cancel on the domain, so the sign is not decided";
 
-/// A rational function of the same sign as a scalar, which is rational or a multiple `b·√q` of a root: then it is `b·q`. `None`
-/// for sums of both.
+/// A rational function of the same sign as a scalar `a + b·√q` on the domain: `a` where `a² − b²q` is positive, `b·q` where it is negative or
+/// a is zero. `None` where neither is certain.
 fn signed(scope: &Scope, expr: &Expr, value: &Value, role: &str) -> Result<Option<Fraction>, Fault> {
     if !roots::is_rooted(value) {
         let scalar = value.scalar();
@@ -339,13 +340,28 @@ fn signed(scope: &Scope, expr: &Expr, value: &Value, role: &str) -> Result<Optio
     }
     let parts = roots::parts(value, expr.span())?.unwrap_or_default();
     let [scalar] = parts.as_slice() else {
-        return Err(Fault::new(expr.span(), format!("{role} must be a scalar, but this is {}", value.kind())));
+        return Err(Fault::new(
+            expr.span(),
+            format!("{role} must be a scalar, but this is {}", value.kind()),
+        ));
     };
     if let Some(rational) = scalar.to_rational_function() {
         return Ok(Some(rational));
     }
+    let (a, b) = (scalar.rational_part(), scalar.root_part());
     let radicand = Fraction::from(scalar.radicand().clone());
-    Ok(scalar.rational_part().is_zero().then(|| (scalar.root_part() * &radicand).reduced()))
+    let irrational = || (b * &radicand).reduced();
+    if a.is_zero() {
+        return Ok(Some(irrational()));
+    }
+    let norm = (&(a * a) - &(&(b * b) * &radicand)).reduced();
+    let positive = |norm: &Fraction| {
+        inequality(scope, norm, true, expr.span()).map(|finding| finding.verdict == Verdict::Proved)
+    };
+    if positive(&norm)? {
+        return Ok(Some(a.clone()));
+    }
+    Ok(positive(&-&norm)?.then(irrational))
 }
 
 /// Whether a surface is a Pythagorean-normal surface in its parameters.
@@ -355,9 +371,16 @@ fn is_pn(scope: &Scope, expr: &Expr) -> Result<Finding, Fault> {
     let squared = normal.squared_length();
     let split = squared.split();
     let derived = if split.is_square() {
-        format!("R_u x R_v has the direction N with |N|^2 = {}*({})^2", split.unit, cut(split.root.to_string()))
+        format!(
+            "R_u x R_v has the direction N with |N|^2 = {}*({})^2",
+            split.unit,
+            cut(split.root.to_string())
+        )
     } else {
-        format!("|N|^2 for the direction N of R_u x R_v has the factor {} to an odd power", cut(split.odd.to_string()))
+        format!(
+            "|N|^2 for the direction N of R_u x R_v has the factor {} to an odd power",
+            cut(split.odd.to_string())
+        )
     };
     Ok(Finding::new(normal.is_rational(), derived).about(surface.position().components()))
 }
@@ -459,8 +482,7 @@ fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault>
                 Some(part) => *roots::irrational(expr.span(), part).diagnostic,
                 None => *Fault::new(expr.span(), "it has a square root").diagnostic,
             };
-            let variables = parts.iter().flat_map(QuadraticFraction::occurring_variables);
-            Ok(Finding::new(false, message.message).about_variables(variables.chain(unknowns())))
+            Ok(Finding::new(false, message.message).about_variables(unknowns()))
         }
         Err(fault) if fault.irrational => {
             Ok(Finding::new(false, fault.diagnostic.message).about_variables(unknowns()))

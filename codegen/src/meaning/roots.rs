@@ -2,7 +2,9 @@
 
 use std::rc::Rc;
 
-use hodograph_algebra::{FormError, FormFunction, Fraction, QuadraticFraction, SweptSurface, Vector, integer};
+use hodograph_algebra::{
+    FormError, FormFunction, Fraction, QuadraticFraction, SweptSurface, Vector, integer,
+};
 
 use super::expression::shortened;
 use super::fault::Fault;
@@ -21,10 +23,8 @@ pub(super) struct FormValue {
 impl FormValue {
     /// Its value on the surface.
     pub(super) fn value(&self) -> Result<QuadraticFraction, FormError> {
-        let forms = self
-            .surface
-            .forms()
-            .map_err(|_| FormError::Vanishes { divisor: "E*G - F^2".to_owned() })?;
+        let forms =
+            self.surface.forms().map_err(|_| FormError::Vanishes { divisor: "E*G - F^2".to_owned() })?;
         forms.value(&self.function)
     }
 
@@ -57,8 +57,7 @@ pub(super) fn value_of(mut parts: Vec<QuadraticFraction>) -> Value {
     if parts.len() == 1 {
         return scalar_value(parts.remove(0));
     }
-    let rational: Option<Vec<Fraction>> =
-        parts.iter().map(QuadraticFraction::to_rational_function).collect();
+    let rational: Option<Vec<Fraction>> = parts.iter().map(QuadraticFraction::to_rational_function).collect();
     match rational.as_deref() {
         Some([x, y, z]) => Value::Vector(Vector::new(x.clone(), y.clone(), z.clone())),
         _ => Value::RootVector(parts.into()),
@@ -102,9 +101,8 @@ pub(super) fn irrational(span: Span, value: &QuadraticFraction) -> Fault {
 pub(super) fn fault(span: Span, error: &FormError) -> Fault {
     let fault = Fault::new(span, error.to_string());
     match error {
-        FormError::Weight { .. } | FormError::Mixed => fault.help(
-            "similarity functions scale as lengths do: R.L - 2*R.M + R.N, R.H/R.K, 1/R.H, R.E/R.L, …",
-        ),
+        FormError::Weight { .. } | FormError::Mixed => fault
+            .help("similarity functions scale as lengths do: R.L - 2*R.M + R.N, R.H/R.K, 1/R.H, R.E/R.L, …"),
         FormError::Vanishes { .. } => fault.help("take a formula without this divisor"),
         _ => fault.undecidable(),
     }

@@ -306,8 +306,8 @@ impl Scope {
     pub(super) fn replace_surface(&mut self, surface: &Rc<SweptSurface>) {
         let own = self.surface.take();
         for (value, _) in self.values.values_mut() {
-            if let (Value::Surface(surface), Some(own)) = (&*value, &own)
-                && Rc::ptr_eq(surface, own)
+            if let (Value::Surface(known), Some(own)) = (&*value, &own)
+                && Rc::ptr_eq(known, own)
             {
                 *value = Value::Surface(surface.clone());
             }

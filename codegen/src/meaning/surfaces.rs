@@ -76,10 +76,14 @@ fn surface_of(scope: &Scope, span: Span, value: &Value) -> Result<Rc<SweptSurfac
         let message = format!("a surface cannot contain the unknown function `{unknown}`");
         return Err(Fault::new(span, message).help("use symbols for its derivatives"));
     }
-    let [Some(first), Some(second)] = [domain.first(), domain.get(1)] else { return Err(Fault::silent(span)) };
+    let [Some(first), Some(second)] = [domain.first(), domain.get(1)] else {
+        return Err(Fault::silent(span));
+    };
     let made = Rc::new(SweptSurface::new(position, parameters, [first.clone(), second.clone()]));
     let mut known = scope.patches.borrow_mut();
-    if let Some(same) = known.iter().find(|known| known.domain() == made.domain() && roots::same(known, &made)) {
+    if let Some(same) =
+        known.iter().find(|known| known.domain() == made.domain() && roots::same(known, &made))
+    {
         return Ok(same.clone());
     }
     known.push(made.clone());
@@ -108,7 +112,10 @@ fn similarity_offset(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     let surface = self::surface(scope, surface)?;
     let value = scope.evaluate(function)?;
     let Value::Form(form) = value.bare() else {
-        let message = format!("a similarity function is a formula in E, F, G, L, M, N, K, H, but this is {}", value.kind());
+        let message = format!(
+            "a similarity function is a formula in E, F, G, L, M, N, K, H, but this is {}",
+            value.kind()
+        );
         return Err(Fault::new(place, message).help("write `similarity_offset(R, R.H/R.K, d)`"));
     };
     if !roots::same(&form.surface, &surface) {
@@ -133,7 +140,8 @@ fn similarity(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         let value = scope.evaluate(rotation)?;
         let parts = value.components().unwrap_or_default();
         let [w, x, y, z] = parts.as_slice() else {
-            let message = format!("a rotation is a quaternion of four components, but this is {}", value.kind());
+            let message =
+                format!("a rotation is a quaternion of four components, but this is {}", value.kind());
             return Err(Fault::new(rotation.span(), message).help("write `rotation = (w, x, y, z)`"));
         };
         image = rotated(&image, w, &Vector::new(x.clone(), y.clone(), z.clone()))
@@ -164,11 +172,13 @@ fn rotated(a: &Vector, w: &Fraction, q: &Vector) -> Option<Vector> {
 fn bezier_patch(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     let (positional, [weights]) = call.with_names(["weights"])?;
     let [points] = positional.as_slice() else {
-        return Err(Fault::new(call.span, "`bezier_patch` takes a net of control points")
-            .help("write `bezier_patch([[p00, p01], [p10, p11]])`, a row for each index of the first parameter"));
+        return Err(Fault::new(call.span, "`bezier_patch` takes a net of control points").help(
+            "write `bezier_patch([[p00, p01], [p10, p11]])`, a row for each index of the first parameter",
+        ));
     };
     let net = net(scope, points, "control points")?;
-    let weights = weights.map(|weights| self::net(scope, weights, "weights").map(|net| (weights, net))).transpose()?;
+    let weights =
+        weights.map(|weights| self::net(scope, weights, "weights").map(|net| (weights, net))).transpose()?;
     let [u, v] = surface_parameters(scope);
     let columns = net.first().map_or(0, Vec::len);
     if let Some((expr, weights)) = &weights
@@ -189,7 +199,10 @@ fn bezier_patch(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             if let Some((expr, weights)) = &weights {
                 let value = &weights[i][j];
                 let own = value.scalar().ok_or_else(|| {
-                    Fault::new(place(expr, i, j), format!("a weight must be a scalar, but this is {}", value.kind()))
+                    Fault::new(
+                        place(expr, i, j),
+                        format!("a weight must be a scalar, but this is {}", value.kind()),
+                    )
                 })?;
                 basis = &basis * &own;
             }
@@ -221,7 +234,10 @@ fn net(scope: &Scope, expr: &Expr, what: &str) -> Result<Vec<Vec<Value>>, Fault>
     for (index, row) in rows.into_iter().enumerate() {
         let span = element(expr, index).unwrap_or(expr.span());
         let Value::List(row) = row else {
-            return Err(shape(span, format!("a row of the {what} must be a list, but this is {}", row.kind())));
+            return Err(shape(
+                span,
+                format!("a row of the {what} must be a list, but this is {}", row.kind()),
+            ));
         };
         if net.first().is_some_and(|first| first.len() != row.len()) {
             return Err(shape(span, format!("this row of the {what} has another length than the first")));
