@@ -18,6 +18,10 @@ sweep!(file = "formulas/evolute_sweep.sweep");
 sweep!(file = "formulas/generalized_conical_example_5.sweep");
 sweep!(file = "formulas/generalized_conical_quadratic.sweep");
 
+sweep!(file = "formulas/similarity_offset_example_4_7.sweep");
+sweep!(file = "formulas/similarity_offset_example_4_8.sweep");
+sweep!(file = "formulas/similarity_offset_example_5_3.sweep");
+
 sweep!(file = "formulas/scaled_rotation_family.sweep");
 sweep!(file = "formulas/oriented_translation_family.sweep");
 sweep!(file = "formulas/oriented_translation_of_profiles.sweep");
@@ -48,5 +52,9 @@ pub fn all() -> &'static [&'static dyn Surface] {
         &evolute_sweep::EvoluteSweep,
         &generalized_conical_example_5::GeneralizedConicalExample5,
         &generalized_conical_quadratic::GeneralizedConicalQuadratic,
+        &similarity_offset_example_4_7::SimilarityOffsetExample47,
+        &similarity_offset_example_4_8::SimilarityOffsetExample48,
+        &similarity_offset_example_5_3_mean_over_gaussian::SimilarityOffsetExample53MeanOverGaussian,
+        &similarity_offset_example_5_3_inverse_mean::SimilarityOffsetExample53InverseMean,
     ]
 }

@@ -83,6 +83,9 @@ const SOURCES: &[Source] = formulas![
     "evolute_sweep_family",
     "generalized_conical_family",
     "generalized_conical_quadratic_family",
+    "similarity_offset_example_4_7",
+    "similarity_offset_example_4_8",
+    "similarity_offset_example_5_3",
     "planar_frame",
     "ph_hodographs",
     "ph_offsets",
@@ -99,4 +102,8 @@ const SOURCES: &[Source] = formulas![
     "frames_sphere",
     "frames_surfaces",
     "frames_gutter",
+    "similarity_invariance",
+    "similarity_offsets",
+    "similarity_examples",
+    "similarity_offset_degrees",
 ];
