@@ -73,7 +73,7 @@ impl<F: Float, T: Task, O: Output<F, T>> Staged<T> for OnThreads<'_, F, O> {
 
     #[inline(always)]
     fn visit<S: Sweep + Stages<T>>(self, piece: &S) -> Failures {
-        divide(Batch::with(piece, piece.variant()), self.us, self.vs, self.out)
+        divide(Batch::with(piece, piece.pinned_variant()), self.us, self.vs, self.out)
     }
 }
 
