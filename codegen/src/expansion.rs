@@ -93,8 +93,37 @@ fn manifest_folder() -> PathBuf {
 
 /// An item by which the compiler knows that the code depends on a file.
 fn tracking(path: &str) -> TokenStream {
+    if Path::new(path).is_absolute() {
+        let path = LitStr::new(path, Span::call_site());
+        return quote! { const _: &[u8] = ::core::include_bytes!(#path); };
+    }
     let path = LitStr::new(&format!("/{path}"), Span::call_site());
     quote! {
         const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), #path));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sweep;
+
+    #[test]
+    fn files_of_frames_are_tracked() {
+        let text = |name: &str| {
+            format!(
+                "sweep turn {{ frames F(v) = frames_file({name:?}, orientation = direct, continuity = 1); \
+                 surface R = F.sweep((0, u, 0)); domain u in 0..1; }}"
+            )
+        };
+        let expansion = |text: String| sweep(text.parse().unwrap()).to_string();
+        let name = "../generated/formulas/gutter.json";
+        let generated = expansion(text(name));
+        assert!(!generated.contains("compile_error"), "{generated}");
+        assert!(
+            generated.contains("include_bytes")
+                && generated.contains("\"/../generated/formulas/gutter.json\"")
+        );
+        let missing = expansion(text("none.json"));
+        assert!(missing.contains("compile_error") && missing.contains("cannot read none.json"), "{missing}");
     }
 }

@@ -26,10 +26,10 @@ fn pieces_know_their_place_and_whether_they_meet() {
     let models = of(TURN);
     let artifacts: Vec<_> = compile_all(&models).into_iter().map(|(_, artifact)| artifact.unwrap()).collect();
     let pieces: Vec<_> = artifacts.iter().map(|artifact| artifact.piece.clone().unwrap()).collect();
-    assert_eq!(pieces.iter().map(|piece| (piece.of.as_str(), piece.index, piece.count)).collect::<Vec<_>>(), [
-        ("turn", 0, 2),
-        ("turn", 1, 2)
-    ]);
+    assert_eq!(
+        pieces.iter().map(|piece| (piece.of.as_str(), piece.index, piece.count)).collect::<Vec<_>>(),
+        [("turn", 0, 2), ("turn", 1, 2)]
+    );
     // The float next to 1/3 is below it.
     assert_eq!((pieces[1].start, pieces[1].start_is_exact), ((1.0_f64 / 3.0).next_up(), false));
     assert_eq!((pieces[0].start, pieces[0].start_is_exact), (0.0, true));
@@ -56,7 +56,11 @@ fn pieces_are_followed_by_the_whole() {
     assert!(words.join(" ").contains(unknown));
     assert!(whole.contains("0 => visitor.visit(super::turn_1::Turn1),"));
     assert!(whole.contains("_ => visitor.visit(super::turn_2::Turn2),"));
-    assert!(text.contains("They meet exactly. How far rounding separates their points at the joints is not proved."));
+    assert!(
+        text.contains(
+            "They meet exactly. How far rounding separates their points at the joints is not proved."
+        )
+    );
 }
 
 #[test]
@@ -74,6 +78,9 @@ fn the_jump_is_that_of_both_neighbors() {
     let at = text.find("const JUMPS: [f64; 4] = [").unwrap();
     let jumps = &text[at..at + text[at..].find(']').unwrap() + 200];
     for place in 0..4 {
-        assert!(errors(place).is_finite() && jumps.contains(&format!("{:?}", errors(place))), "{jumps} {place}");
+        assert!(
+            errors(place).is_finite() && jumps.contains(&format!("{:?}", errors(place))),
+            "{jumps} {place}"
+        );
     }
 }

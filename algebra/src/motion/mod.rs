@@ -1,6 +1,7 @@
 //! Rational motions through given frames: position, orientation and scale as functions of one parameter.
 //!
-//! JW is Johnstone and Williams, *Rational modeling of swept surfaces through frames* (cited by its sections and equations).
+//! JW is Johnstone and Williams, *A rational model of the surface swept by a curve*, 1995; its
+//! sections and equations are cited.
 
 pub(crate) mod error;
 pub(crate) mod frame;

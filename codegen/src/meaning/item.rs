@@ -1,5 +1,6 @@
 //! Items to models: the surface and the claims that a sweep or a lemma stands for.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -284,12 +285,14 @@ pub(super) fn with_settings(
     item: &Rc<Item>,
     settings: BTreeMap<Variable, Fraction>,
 ) -> Result<Scope, Fault> {
+    let continuities: Rc<RefCell<Vec<(Span, i64)>>> = Rc::default();
     let piece = |segment: usize| {
         let mut scope = Scope::new(parameters(item), known.limit);
         scope.item = Some(item.clone());
         scope.settings = settings.clone();
         scope.inputs = known.inputs.clone();
         scope.segment = segment;
+        scope.continuities = continuities.clone();
         match run(item, &mut scope, symbolic_curves(item) > 1).into_iter().next() {
             None => Ok(scope),
             Some(fault) => Err(fault),

@@ -474,8 +474,8 @@
 //!
 //! # Frames
 //!
-//! A motion moves a curve through frames: positions, orientations and sizes (JW is Johnstone and Williams, *Rational modeling of swept
-//! surfaces through frames*; its Definition 1). It is piecewise rational in its parameter, with a piece between each two frames.
+//! A motion moves a curve through frames: positions, orientations and sizes (JW is Johnstone and Williams, *A rational model of the surface swept by a
+//! curve*, 1995; its Definition 1). It is piecewise rational in its parameter, with a piece between each two frames.
 //!
 //! - `frame(p, q)`, `frame(p, q, s)`: the frame with the position p, the unit quaternion q = `(w, x, y, z)` and the scale s, which is 1
 //!   where it is not given.
@@ -678,7 +678,8 @@
 //! | independent square roots in a number | 16 |
 //! | order of `diff` | 100; 6 for an unknown function |
 //! | degree of `ph(n)`; of symbolic curves | 201; 32, and no more symbols than one polynomial has room for: 22 in a sweep, those of `ph(21)` |
-//! | control points of `bezier`; of `bezier_patch` | 101; 33 rows and columns |
+//! | control points of `bezier`, coefficients of `bernstein`; control points of `bezier_patch` | 101; 33 rows and columns |
+//! | frames of a motion | 64 ([`MAX_FRAMES`](hodograph_algebra::MAX_FRAMES)) |
 //! | work for all clauses of a file, but for the claims | [`DEFAULT_LIMIT`](hodograph_algebra::budget::DEFAULT_LIMIT) units, or what [`models_within`] is given |
 //! | work for one claim | what [`Model::check`] is given |
 //!

@@ -117,6 +117,8 @@ pub(super) struct Scope {
     pub(super) joints: Option<Joints>,
     /// The scopes of all pieces, where a claim is checked; none if there is one piece only.
     pub(super) siblings: Rc<[Scope]>,
+    /// What `continuity` has found, by the place of its argument; all pieces share it.
+    pub(super) continuities: Rc<RefCell<Vec<(Span, i64)>>>,
     /// The units of work for all clauses together, and what is left of them.
     pub(super) limit: u64,
     pub(super) left: u64,
@@ -145,6 +147,7 @@ impl Scope {
             segment: 0,
             joints: None,
             siblings: Rc::new([]),
+            continuities: Rc::default(),
             limit,
             left: limit,
         }
