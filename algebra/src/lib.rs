@@ -92,6 +92,7 @@ pub use real::zeros::{EdgeZeros, ZeroCurve, ZeroSet};
 pub use surface::common_zero::CommonZero;
 pub use surface::conditions::{Conditions, common_factors, falling_degree};
 pub use surface::control_net::ControlNet;
+pub use surface::curvature_zeros::CurvatureZeros;
 pub use surface::degree::Bidegree;
 pub use surface::derivation::{Derivation, Offset};
 pub use surface::essentials::Essentials;

@@ -148,15 +148,18 @@ impl FundamentalForms {
     }
 
     /// A polynomial whose zeros are the planar and parabolic points, where `K = 0`, besides points where the surface has no normal.
-    #[must_use]
-    pub fn gaussian_numerator(&self) -> &Poly {
+    pub(super) fn gaussian_numerator(&self) -> &Poly {
         &self.gaussian
     }
 
     /// A polynomial whose zeros are the points where `H = 0`, besides points where the surface has no normal.
-    #[must_use]
-    pub fn mean_numerator(&self) -> Poly {
+    pub(super) fn mean_numerator(&self) -> Poly {
         self.mean.lowest_terms().numerator().clone()
+    }
+
+    /// The parameters with their intervals.
+    pub(super) fn region(&self) -> Vec<(Variable, Interval)> {
+        self.parameters.iter().cloned().zip(self.domain.iter().cloned()).collect()
     }
 
     /// E, F and G, then L, M and N times `|N|`: all rational.

@@ -4,6 +4,7 @@ pub(crate) mod combination;
 pub(crate) mod common_zero;
 pub(crate) mod conditions;
 pub(crate) mod control_net;
+pub(crate) mod curvature_zeros;
 pub(crate) mod degree;
 pub(crate) mod derivation;
 pub(crate) mod direction;

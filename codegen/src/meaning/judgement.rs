@@ -1,8 +1,9 @@
 //! Judgements: what becomes of the claims of a model, and for what that holds.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
-use hodograph_algebra::{BoxSign, Interval, Variable, budget};
+use hodograph_algebra::{BoxSign, Interval, SweptSurface, Variable, budget};
 
 use super::assumptions::Assumptions;
 use super::expression::shortened;
@@ -12,6 +13,7 @@ use super::item::{Model, check_names};
 use super::pieces;
 use super::relation::{self, Finding};
 use super::scope::Scope;
+use super::surfaces;
 use crate::language::ast::{Claim, ClauseKind, Expr, ExprKind, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 
@@ -104,7 +106,7 @@ impl Model {
         let scope = assumptions.as_ref().map_or(&self.scope, |assumptions| &assumptions.scope);
         conditions.extend(self.speed_conditions(scope, &claim.relation));
         if with_exceptions {
-            conditions.extend(side_condition(scope, &claim.relation));
+            conditions.extend(side_conditions(scope, &claim.relation));
         }
         if let (Some(assumptions), true) = (assumptions, with_exceptions)
             && finding.verdict != Verdict::Undecided
@@ -187,47 +189,59 @@ impl Model {
     }
 }
 
-/// What must be positive for the unit normal of the surface to be on the side that was taken, if values of symbols decide on
+/// What must be positive for the unit normals of surfaces to be on the sides that were taken, if values of symbols decide on
 /// that and the relation is about sides.
-fn side_condition(scope: &Scope, relation: &Expr) -> Option<String> {
-    let surface = scope.surface.as_ref().filter(|surface| !surface.symbols().is_empty())?;
-    if !is_about_sides(scope, relation, 64) {
-        return None;
-    }
-    let region: Vec<(Variable, Interval)> =
-        surface.parameters().iter().cloned().zip(surface.domain().iter().cloned()).collect();
-    let decide = || {
-        let orientation = surface.normal().ok()?.orientation();
-        let symbolic =
-            orientation.occurring_variables().iter().any(|variable| scope.symbols.contains(variable));
-        let certain = !symbolic || matches!(orientation.sign_on(&region), Some(BoxSign::Positive));
-        (!certain).then(|| format!("{} > 0", shortened(&orientation.to_string())))
+fn side_conditions(scope: &Scope, relation: &Expr) -> Vec<String> {
+    let mut surfaces = Vec::new();
+    collect_sided(scope, relation, 64, &mut surfaces);
+    surfaces.retain(|surface| !surface.symbols().is_empty());
+    let condition = |surface: &Rc<SweptSurface>| {
+        let region: Vec<(Variable, Interval)> =
+            surface.parameters().iter().cloned().zip(surface.domain().iter().cloned()).collect();
+        let decide = || {
+            let orientation = surface.normal().ok()?.orientation();
+            let symbolic =
+                orientation.occurring_variables().iter().any(|variable| scope.symbols.contains(variable));
+            let certain = !symbolic || matches!(orientation.sign_on(&region), Some(BoxSign::Positive));
+            (!certain).then(|| format!("{} > 0", shortened(&orientation.to_string())))
+        };
+        budget::with_budget(budget::DEFAULT_LIMIT, decide).ok().flatten()
     };
-    budget::with_budget(budget::DEFAULT_LIMIT, decide).ok().flatten()
+    surfaces.iter().filter_map(condition).collect()
 }
 
-/// Whether an expression contains a normal or an offset of a surface as a vector, also by the name of a definition.
-fn is_about_sides(scope: &Scope, expr: &Expr, depth: usize) -> bool {
-    let Some(depth) = depth.checked_sub(1) else { return false };
-    let name = match expr.kind() {
-        ExprKind::Call { callee, .. } => match callee.kind() {
-            ExprKind::Ident(name) if matches!(name.as_str(), "normal" | "offset") => return true,
-            // These do not depend on the side.
-            ExprKind::Ident(name) if matches!(name.as_str(), "degree" | "is_rational" | "parallel") => {
-                return false;
+/// The surfaces of which an expression contains a normal, or an offset or a form as the side of the normal decides on it, also by the name of a
+/// definition.
+fn collect_sided(scope: &Scope, expr: &Expr, depth: usize, surfaces: &mut Vec<Rc<SweptSurface>>) {
+    let Some(depth) = depth.checked_sub(1) else { return };
+    let mut name = None;
+    match expr.kind() {
+        ExprKind::Call { callee, .. } => {
+            if let ExprKind::Ident(name) = callee.kind() {
+                match name.as_str() {
+                    "normal" | "offset" => surfaces.extend(scope.surface.clone()),
+                    // These do not depend on the side.
+                    "degree" | "is_pn" | "is_rational" | "parallel" | "similarity_offset" => return,
+                    _ => {}
+                }
             }
-            _ => None,
-        },
-        ExprKind::Ident(name) => Some(name),
-        _ => None,
-    };
+        }
+        ExprKind::Member { object, member } if surfaces::is_sided(&member.value) => {
+            let evaluated = budget::with_budget(budget::DEFAULT_LIMIT, || surfaces::surface(scope, object));
+            surfaces.extend(evaluated.ok().and_then(Result::ok));
+        }
+        ExprKind::Ident(known) => name = Some(known),
+        _ => {}
+    }
     let clauses = scope.item.iter().flat_map(|item| &item.clauses);
-    let mut definitions = clauses.filter_map(|clause| match &clause.kind {
-        ClauseKind::Let(definition) if Some(&definition.name.value) == name => Some(&definition.value),
-        _ => None,
-    });
-    definitions.any(|value| is_about_sides(scope, value, depth))
-        || expr.children().any(|child| is_about_sides(scope, child, depth))
+    for clause in clauses {
+        if let ClauseKind::Let(definition) = &clause.kind
+            && Some(&definition.name.value) == name
+        {
+            collect_sided(scope, &definition.value, depth, surfaces);
+        }
+    }
+    expr.children().for_each(|child| collect_sided(scope, child, depth, surfaces));
 }
 
 /// The names in an expression.

@@ -31,6 +31,11 @@ pub(super) fn is_form(name: &str) -> bool {
     name == "unit_normal" || FormFunction::named(name).is_some()
 }
 
+/// Whether a member changes its sign with the side that the unit normal points to.
+pub(super) fn is_sided(name: &str) -> bool {
+    matches!(name, "H" | "L" | "M" | "N" | "unit_normal")
+}
+
 /// Whether a value is a surface, or a vector that may be one.
 pub(super) fn may_be_surface(value: &Value) -> bool {
     match value.bare() {

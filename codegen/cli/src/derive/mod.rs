@@ -8,7 +8,7 @@ mod text;
 
 use std::process::ExitCode;
 
-use hodograph_algebra::{Conditions, Derivation, Offset, Poly, budget};
+use hodograph_algebra::{Conditions, CurvatureZeros, Derivation, Offset, Poly, SweptSurface, budget};
 use hodograph_codegen::language::Diagnostic;
 use hodograph_codegen::language::ast::Item;
 use hodograph_codegen::meaning::Model;
@@ -34,6 +34,8 @@ pub(crate) struct Derived<'a> {
     conditions: Option<Conditions>,
     /// The same for the offset, if that is rational.
     offset_conditions: Option<Conditions>,
+    /// Where the Gaussian and the mean curvature vanish; `None` with symbols.
+    curvature_zeros: Option<[CurvatureZeros; 2]>,
 }
 
 /// Runs the command.
@@ -75,7 +77,22 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
     };
     let conditions = conditions::of(&derivation.homogeneous);
     let offset_conditions = conditions::of_offset(&derivation.offset);
-    Ok(Derived { item, model, derivation, conditions, offset_conditions })
+    let curvature_zeros = curvature_zeros(&derivation, model.limit);
+    Ok(Derived { item, model, derivation, conditions, offset_conditions, curvature_zeros })
+}
+
+/// Where the curvatures vanish on the domain, over the number field of the derivation; `None` with symbols, and beyond the limit.
+fn curvature_zeros(derivation: &Derivation, limit: u64) -> Option<[CurvatureZeros; 2]> {
+    if !derivation.symbols.is_empty() {
+        return None;
+    }
+    let position = derivation.homogeneous.cartesian();
+    let surface = SweptSurface::new(position, derivation.parameters.clone(), derivation.domain.clone());
+    let zeros = || {
+        let forms = surface.forms().ok()?;
+        Some([forms.gaussian_zeros(), forms.mean_zeros()])
+    };
+    budget::with_budget(limit, zeros).ok().flatten()
 }
 
 /// Why the offset is rational, or not, in a sentence; `show` writes polynomials.

@@ -64,6 +64,7 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
         page.item(&format!("{name} = "), &value);
     }
     singular(&mut page, derivation);
+    curvature(&mut page, derived);
     offset(&mut page, derived);
     control_net(&mut page, derivation);
     if page.shortened {
@@ -210,6 +211,14 @@ fn singular(page: &mut Page, derivation: &Derivation) {
         let first = if zero.contains('=') { "no normal where " } else { "" };
         page.item(first, &cut(zero, LONGEST));
     }
+}
+
+/// Where the curvatures vanish, and so similarity offsets have poles.
+fn curvature(page: &mut Page, derived: &Derived<'_>) {
+    let Some([gaussian, mean]) = &derived.curvature_zeros else { return };
+    page.title("Curvatures");
+    page.item("K = 0 ", &cut(&gaussian.to_string(), LONGEST));
+    page.item("H = 0 ", &cut(&mean.to_string(), LONGEST));
 }
 
 fn offset(page: &mut Page, derived: &Derived<'_>) {
