@@ -9,7 +9,7 @@
 //! | polynomials | [`Poly`] over a [`Ring`]: arithmetic, exact division, gcd, [`Squarefree`], [`SquareSplit`], resultant |
 //! | reals | [`Bernstein`] forms, [`RealRoot`], the sign of a polynomial on a box ([`BoxSign`]), [`ZeroSet`] |
 //! | fractions | [`Fraction`]: rational functions that keep their denominators as products of known factors; [`QuadraticFraction`], [`Integral`] |
-//! | curves | [`Vector`], [`Quaternion`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data |
+//! | curves | [`Vector`], [`Quaternion`], [`Calculus`], [`Curve`], PH curves by [`Preimage`] and [`Hermite`] data, spatial ones by [`SpatialPreimage`]; [`AdaptedFrame`] |
 //! | motions | [`Motion`] through [`Frame`]s: [`Spline`], [`onto_sphere`] |
 //! | surfaces | [`SweptSurface`]: [`Homogeneous`] coordinates, [`Normal`], [`FundamentalForms`], offsets, [`SingularLocus`] |
 //!
@@ -60,11 +60,15 @@ mod surface;
 pub use fraction::Fraction;
 pub use fraction::quadratic::QuadraticFraction;
 pub use geometry::calculus::Calculus;
+pub use geometry::canal::CanalError;
 pub use geometry::curve::{Curve, KnownProperties, moving_frame_curve, rational_root};
 pub use geometry::curve_error::CurveError;
+pub use geometry::frame::AdaptedFrame;
 pub use geometry::hermite::{Hermite, HermiteDatum, HermiteError, HermiteSolution};
 pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
 pub use geometry::quaternion::Quaternion;
+pub use geometry::spatial::{SpatialPhCurve, SpatialPreimage};
+pub use geometry::spin::{Rotation, SpinError};
 pub use geometry::vector::Vector;
 pub use integral::Integral;
 pub use motion::error::{MAX_FRAMES, MotionError};

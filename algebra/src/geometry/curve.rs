@@ -7,7 +7,9 @@ use std::rc::Rc;
 
 use super::calculus::Calculus;
 use super::curve_error::CurveError;
+use super::frame::AdaptedFrame;
 use super::plane;
+use super::quaternion::Quaternion;
 use super::sample::sample_sign;
 use super::vector::Vector;
 use num_traits::Signed;
@@ -48,11 +50,21 @@ pub struct Curve {
     /// What must be positive for the speed to be that, where symbols decide it.
     speed_condition: Option<Poly>,
     preimage: Option<[Poly; 2]>,
+    quaternion: Option<Quaternion>,
     known_arclength: Option<Fraction>,
     domain: Option<Interval>,
     calculus: Rc<Calculus>,
     axis: OnceCell<Result<Vector, CurveError>>,
     arclength: OnceCell<Result<Fraction, CurveError>>,
+    frames: Frames,
+}
+
+/// The frames of a curve that have been asked for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Frames {
+    pub(crate) euler_rodrigues: OnceCell<Result<AdaptedFrame, CurveError>>,
+    pub(crate) rotation_minimizing: OnceCell<Result<AdaptedFrame, CurveError>>,
+    pub(crate) frenet: OnceCell<Result<AdaptedFrame, CurveError>>,
 }
 
 /// What is known of a curve's parametric speed before it is computed.
@@ -64,6 +76,8 @@ pub struct KnownProperties {
     pub arclength: Option<Fraction>,
     /// Real and imaginary part of the preimage `w` of a planar PH curve.
     pub preimage: Option<[Poly; 2]>,
+    /// The preimage `A` of a spatial PH curve, with `s' = A i A*`.
+    pub quaternion: Option<Quaternion>,
 }
 
 impl Curve {
@@ -88,9 +102,11 @@ impl Curve {
             let negative = sample_sign(&speed, parameter, &interval).is_lt();
             if negative { -&speed } else { speed }
         });
+        let of_planar = known.preimage.as_ref().map(|[a, b]| a * a + b * b);
+        let norm = known.quaternion.as_ref().map(|quaternion| quaternion.norm2().numerator().clone());
         let sign = speed
             .as_ref()
-            .map(|speed| speed_sign(speed, known.preimage.as_ref(), parameter, domain.as_ref()));
+            .map(|speed| speed_sign(speed, of_planar.or(norm).as_ref(), parameter, domain.as_ref()));
         let mut speed_condition = None;
         match sign {
             Ok(SpeedSign::Changes(factor)) => {
@@ -106,11 +122,13 @@ impl Curve {
             speed,
             speed_condition,
             preimage: known.preimage,
+            quaternion: known.quaternion,
             known_arclength: known.arclength,
             domain,
             calculus,
             axis: OnceCell::new(),
             arclength: OnceCell::new(),
+            frames: Frames::default(),
         }
     }
 
@@ -132,6 +150,26 @@ impl Curve {
         self.preimage.as_ref()
     }
 
+    /// The preimage `A` of a spatial PH curve, if the curve was made from one: `s' = A i A*`.
+    #[must_use]
+    pub fn quaternion(&self) -> Option<&Quaternion> {
+        self.quaternion.as_ref()
+    }
+
+    /// The interval of the parameter, if one is stated.
+    #[must_use]
+    pub fn domain(&self) -> Option<&Interval> {
+        self.domain.as_ref()
+    }
+
+    pub(crate) fn calculus(&self) -> &Calculus {
+        &self.calculus
+    }
+
+    pub(crate) fn frames(&self) -> &Frames {
+        &self.frames
+    }
+
     /// What is known of the curve with scalars in place of symbols; nothing where a denominator vanishes.
     #[must_use]
     pub fn known_for(&self, values: &BTreeMap<Variable, Fraction>) -> KnownProperties {
@@ -141,6 +179,10 @@ impl Curve {
             speed: self.speed.as_ref().ok().and_then(at),
             arclength: self.known_arclength.as_ref().and_then(at),
             preimage: self.preimage.as_ref().and_then(|[a, b]| Some([poly(a)?, poly(b)?])),
+            quaternion: self.quaternion.as_ref().and_then(|quaternion| {
+                let [w, x, y, z] = quaternion.components().each_ref().map(at);
+                Some(Quaternion::new(w?, x?, y?, z?))
+            }),
         }
     }
 
@@ -338,17 +380,18 @@ enum SpeedSign {
     Changes(Poly),
 }
 
-/// The sign of a rational root of `|s'|²`, which is positive somewhere; for `h·|w|²` it is that of `h`. Factors whose sign is
+/// The sign of a rational root of `|s'|²`, which is positive somewhere; for `h·|w|²`, with
+/// the norm `|w|²` of a preimage, it is that of `h`. Factors whose sign is
 /// known decide on nothing.
 fn speed_sign(
     speed: &Fraction,
-    preimage: Option<&[Poly; 2]>,
+    norm: Option<&Poly>,
     parameter: &Variable,
     domain: Option<&Interval>,
 ) -> SpeedSign {
     let odd = speed.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
     let signed = odd.fold(speed.numerator().clone(), |product, (factor, _)| product * factor);
-    let of_factor = preimage.and_then(|[a, b]| signed.exact_div(&(a * a + b * b)));
+    let of_factor = norm.and_then(|norm| signed.exact_div(norm));
     let parts = of_factor.unwrap_or(signed).squarefree();
     let mut open = parts.unit;
     for (factor, multiplicity) in parts.factors {
@@ -444,6 +487,10 @@ pub fn moving_frame_curve(
     let x = coordinate("x", sigma * &cosine);
     let y = coordinate("y", sigma * &sine);
     let arclength = coordinate("arclength", sigma.clone());
-    let known = KnownProperties { speed: Some(sigma.clone()), arclength: Some(arclength), preimage: None };
+    let known = KnownProperties {
+        speed: Some(sigma.clone()),
+        arclength: Some(arclength),
+        ..KnownProperties::default()
+    };
     (Vector::new(x, y, Fraction::zero()), known)
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::spin::SpinError;
 use crate::{Fraction, Poly};
 
 /// Why a curve does not have a property.
@@ -50,6 +51,22 @@ pub enum CurveError {
     },
     /// The curvature is zero everywhere: a straight line has no evolute.
     Straight,
+    /// No rotation-minimizing frame of the curve is rational.
+    NoRationalFrame {
+        /// Half the rate at which it would turn against the Euler–Rodrigues frame.
+        spin: Box<Fraction>,
+        /// What this lacks.
+        error: Box<SpinError>,
+    },
+    /// Whether a rotation-minimizing frame is rational is not known, since unknown functions occur.
+    UnknownFrame,
+    /// `|s' × s''|²` is not the square of a rational function, so the Frenet frame is not rational.
+    IrrationalFrenet {
+        /// `|s' × s''|²`.
+        squared: Box<Fraction>,
+        /// The factor of it that is no square; 1 if only the sign is wrong.
+        odd: Box<Poly>,
+    },
     /// No domain is stated for the parameter, so that a property at its end is not defined.
     NoDomain,
 }
@@ -93,6 +110,18 @@ impl fmt::Display for CurveError {
                 )
             }
             CurveError::Straight => f.write_str("the curvature is zero everywhere, so there is no evolute"),
+            CurveError::NoRationalFrame { spin, error } => write!(
+                f,
+                "the curve has no rational rotation-minimizing frame: such a frame would turn against the \
+                 Euler-Rodrigues frame by twice the argument of a polynomial W with Im(conj(W)*W')/|W|^2 = {spin}, but {error}"
+            ),
+            CurveError::UnknownFrame => f.write_str(
+                "whether a rotation-minimizing frame is rational is not known, since unknown functions occur in it",
+            ),
+            CurveError::IrrationalFrenet { squared, odd } => {
+                write!(f, "the Frenet frame is not rational: |s' x s''|^2 = {squared}")?;
+                if odd.is_one() { Ok(()) } else { write!(f, ", in which {odd} is not a square") }
+            }
             CurveError::NoDomain => f.write_str("no domain is stated for the curve's parameter"),
         }
     }

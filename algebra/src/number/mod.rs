@@ -3,6 +3,7 @@
 pub(crate) mod algebraic;
 pub(crate) mod bracket;
 pub(crate) mod complex;
+pub(crate) mod complex_gcd;
 pub(crate) mod enclosure;
 pub(crate) mod field;
 pub(crate) mod int;
