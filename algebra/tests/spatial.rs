@@ -119,11 +119,11 @@ fn most_quintics_have_none() {
     let Err(CurveError::NoRationalFrame { error, .. }) = general.rotation_minimizing_frame() else {
         panic!()
     };
-    assert!(error.to_string().starts_with("its residues at the zeros of"), "{error}");
+    assert!(error.to_string().starts_with("at the zeros of"), "{error}");
     assert!(anonymous(&general).rotation_minimizing_frame().is_err());
     let symbolic = SpatialPreimage::symbolic(5, "").unwrap();
     let error = curve_of(&symbolic).rotation_minimizing_frame().unwrap_err();
-    assert!(error.to_string().ends_with("and so for general values"), "{error}");
+    assert!(error.to_string().contains("and so for general values"), "{error}");
 }
 
 #[test]

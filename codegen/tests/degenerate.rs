@@ -342,10 +342,16 @@ fn surfaces_that_collapse() {
 #[test]
 fn zero_curvature_everywhere() {
     let text = sweep(&format!("{PROFILE}\npath s(v) = (3*v, 4*v);"), EVOLUTE, UNIT, &[]);
-    mistakes(&text, &["t:4:13: the curvature is zero everywhere, so there is no evolute"]);
+    mistakes(
+        &text,
+        &["t:4:13: the curvature is zero everywhere, so there is no evolute and no Frenet frame"],
+    );
     // A line that runs through its points with a rational speed is one, too.
     let text = sweep(&format!("{PROFILE}\npath s(v) = v^3*(3, 4)/(1 + v);"), EVOLUTE, UNIT, &[]);
-    mistakes(&text, &["t:4:13: the curvature is zero everywhere, so there is no evolute"]);
+    mistakes(
+        &text,
+        &["t:4:13: the curvature is zero everywhere, so there is no evolute and no Frenet frame"],
+    );
     // The evolute of a circle is its center, and the sweep a paraboloid of revolution.
     let circle = format!("{PROFILE} path s(v) = ((1 - v^2)/(1 + v^2), 2*v/(1 + v^2));");
     coordinates(

@@ -600,7 +600,7 @@ fn curves_without_a_property() {
         (
             "curve s(v) = (3*v, 4*v);",
             "s.evolute",
-            "t:3:14: the curvature is zero everywhere, so there is no evolute",
+            "t:3:14: the curvature is zero everywhere, so there is no evolute and no Frenet frame",
         ),
         ("curve s(v) = ph([1, I]);", "s.length", "t:3:14: no domain is stated for the curve's parameter"),
         (
@@ -704,7 +704,7 @@ fn wrong_curves() {
         ("ph([])", 18, "the preimage has no nonzero coefficient"),
         ("ph([1, (1, 2)])", 22, "a preimage's coefficient must be a complex number, but this is a vector"),
         ("ph([1, v])", 15, "this curve of `t` contains the parameter `v`"),
-        ("ph(4)", 18, "a planar PH curve s' = w^2 has an odd degree 1, 3, 5, …, not 4"),
+        ("ph(4)", 18, "a PH curve with a preimage has an odd degree 1, 3, 5, …, not 4"),
         ("ph(9999)", 18, "a PH curve of degree 9999 is asked for; the largest degree is 201"),
         ("ph(1/2)", 18, "the degree of a PH curve is an odd positive integer"),
         ("ph(3, factor = 0)", 30, "the factor of a hodograph is zero"),

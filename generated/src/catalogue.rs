@@ -17,6 +17,8 @@ sweep!(file = "formulas/oriented_involute_example_4.sweep");
 sweep!(file = "formulas/evolute_sweep.sweep");
 sweep!(file = "formulas/generalized_conical_example_5.sweep");
 sweep!(file = "formulas/generalized_conical_quadratic.sweep");
+sweep!(file = "formulas/rotation_minimizing_example.sweep");
+sweep!(file = "formulas/pipe_example.sweep");
 
 sweep!(file = "formulas/similarity_offset_example_4_7.sweep");
 sweep!(file = "formulas/similarity_offset_example_4_8.sweep");
@@ -56,5 +58,7 @@ pub fn all() -> &'static [&'static dyn Surface] {
         &similarity_offset_example_4_8::SimilarityOffsetExample48,
         &similarity_offset_example_5_3_mean_over_gaussian::SimilarityOffsetExample53MeanOverGaussian,
         &similarity_offset_example_5_3_inverse_mean::SimilarityOffsetExample53InverseMean,
+        &rotation_minimizing_example::RotationMinimizingExample,
+        &pipe_example::PipeExample,
     ]
 }

@@ -75,6 +75,8 @@ const SOURCES: &[Source] = formulas![
     "evolute_sweep",
     "generalized_conical_example_5",
     "generalized_conical_quadratic",
+    "rotation_minimizing_example",
+    "pipe_example",
     "scaled_rotation_family",
     "oriented_translation_family",
     "oriented_translation_of_profiles",
@@ -106,4 +108,5 @@ const SOURCES: &[Source] = formulas![
     "similarity_offsets",
     "similarity_examples",
     "similarity_offset_degrees",
+    "spatial_frames",
 ];

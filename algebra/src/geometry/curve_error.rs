@@ -67,6 +67,11 @@ pub enum CurveError {
         /// The factor of it that is no square; 1 if only the sign is wrong.
         odd: Box<Poly>,
     },
+    /// The Frenet frame contains the square root of a polynomial in symbols: for numbers in their place it is rational.
+    SymbolicFrenet {
+        /// The polynomial, up to a number.
+        radicand: Box<Poly>,
+    },
     /// No domain is stated for the parameter, so that a property at its end is not defined.
     NoDomain,
 }
@@ -109,11 +114,11 @@ impl fmt::Display for CurveError {
                     "the arc length is infinite: {factor} in the denominator of the parametric speed vanishes on the domain"
                 )
             }
-            CurveError::Straight => f.write_str("the curvature is zero everywhere, so there is no evolute"),
+            CurveError::Straight => f.write_str("the curvature is zero everywhere, so there is no evolute and no Frenet frame"),
             CurveError::NoRationalFrame { spin, error } => write!(
                 f,
-                "the curve has no rational rotation-minimizing frame: such a frame would turn against the \
-                 Euler-Rodrigues frame by twice the argument of a polynomial W with Im(conj(W)*W')/|W|^2 = {spin}, but {error}"
+                "the curve has no rational rotation-minimizing frame: {error}. Half the rate at which such a frame would \
+                 turn against the Euler-Rodrigues frame is h = {spin}"
             ),
             CurveError::UnknownFrame => f.write_str(
                 "whether a rotation-minimizing frame is rational is not known, since unknown functions occur in it",
@@ -121,6 +126,9 @@ impl fmt::Display for CurveError {
             CurveError::IrrationalFrenet { squared, odd } => {
                 write!(f, "the Frenet frame is not rational: |s' x s''|^2 = {squared}")?;
                 if odd.is_one() { Ok(()) } else { write!(f, ", in which {odd} is not a square") }
+            }
+            CurveError::SymbolicFrenet { radicand } => {
+                write!(f, "the Frenet frame contains the square root of {radicand}, which depends on the symbols alone")
             }
             CurveError::NoDomain => f.write_str("no domain is stated for the curve's parameter"),
         }

@@ -6,7 +6,7 @@ use super::quaternion::Quaternion;
 use super::sample::sample_sign;
 use super::spin::{Rotation, SpinError};
 use super::vector::Vector;
-use crate::{Complex, Fraction, Interval, Poly};
+use crate::{Complex, Fraction, Interval, Poly, Variable};
 
 /// A right-handed orthonormal frame `(t, f, g)` along a curve, of which the first vector is the unit tangent.
 ///
@@ -156,7 +156,7 @@ impl Curve {
     /// inflection, the frame goes on smoothly.
     ///
     /// # Errors
-    /// As for [`Curve::speed`]; [`CurveError::Straight`]; [`CurveError::IrrationalFrenet`].
+    /// As for [`Curve::speed`]; [`CurveError::Straight`]; [`CurveError::IrrationalFrenet`]; [`CurveError::SymbolicFrenet`].
     pub fn frenet_frame(&self) -> Result<AdaptedFrame, CurveError> {
         self.frames().frenet.get_or_init(|| self.osculating()).clone()
     }
@@ -165,6 +165,9 @@ impl Curve {
         let tangent = self.tangent()?;
         let cross = self.osculating_direction()?;
         let root = rational_root(&cross.norm2().reduced()).map_err(|error| match error {
+            CurveError::IrrationalSpeed { odd, .. } if self.is_constant(&odd) => {
+                CurveError::SymbolicFrenet { radicand: odd }
+            }
             CurveError::IrrationalSpeed { squared, odd } => CurveError::IrrationalFrenet { squared, odd },
             other => other,
         })?;
@@ -175,6 +178,13 @@ impl Curve {
         let f = binormal.cross(&tangent).map(Fraction::lowest_terms);
         let spin = self.frenet_spin()?;
         Ok(AdaptedFrame { tangent, f, g: binormal, spin, quaternion: None, rotation: None })
+    }
+
+    /// Whether a polynomial depends neither on the parameter nor on unknown functions.
+    fn is_constant(&self, poly: &Poly) -> bool {
+        let moves =
+            |variable: &Variable| variable == self.parameter() || self.calculus().is_function(variable);
+        !poly.occurring_variables().iter().any(moves)
     }
 
     /// `s' × s''`, not zero.

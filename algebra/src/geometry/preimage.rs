@@ -48,7 +48,7 @@ pub struct PhCurve {
 pub enum PreimageError {
     /// There are no coefficients, or all are zero, so that the curve would be a point.
     Zero,
-    /// A planar PH curve with a primitive hodograph has an odd degree.
+    /// A PH curve with a preimage, planar or spatial, has an odd degree.
     EvenDegree {
         /// The degree asked for.
         degree: u32,
@@ -67,7 +67,7 @@ impl fmt::Display for PreimageError {
                 f.write_str("the preimage has no nonzero coefficient: its curve would be a single point")
             }
             PreimageError::EvenDegree { degree } => {
-                write!(f, "a planar PH curve s' = w^2 has an odd degree 1, 3, 5, …, not {degree}")
+                write!(f, "a PH curve with a preimage has an odd degree 1, 3, 5, …, not {degree}")
             }
             PreimageError::DegreeTooLarge { degree } => {
                 write!(f, "a PH curve of degree {degree} is asked for; the largest degree is {MAX_PH_DEGREE}")

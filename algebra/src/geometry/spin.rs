@@ -15,10 +15,7 @@ pub enum SpinError {
         factor: Box<Poly>,
     },
     /// The spin does not vanish at infinity.
-    NotProper {
-        /// The spin.
-        spin: Box<Fraction>,
-    },
+    NotProper,
     /// At the zeros of a factor of the denominator the residues of 2·I·h are not integers.
     Residues {
         /// The factor, of the function that was decided.
@@ -35,15 +32,15 @@ pub enum SpinError {
 impl fmt::Display for SpinError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SpinError::MultiplePole { factor } => write!(f, "{factor} divides the denominator twice"),
-            SpinError::NotProper { spin } => {
-                write!(f, "the degree of the numerator of {spin} is not below that of its denominator")
+            SpinError::MultiplePole { factor } => write!(f, "{factor} divides the denominator of h twice"),
+            SpinError::NotProper => {
+                f.write_str("the degree of the numerator of h is not below that of its denominator")
             }
             SpinError::Residues { factor, squares, at } => {
                 write!(
                     f,
-                    "its residues at the zeros of {factor} are not integers: the squares r of these residues are the \
-                     zeros of {squares}"
+                    "at the zeros of {factor} the residues of 2*I*h are not integers: their squares r are the zeros of \
+                     {squares}"
                 )?;
                 if at.is_empty() {
                     return Ok(());
@@ -52,7 +49,7 @@ impl fmt::Display for SpinError {
                     at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
                 write!(f, ", where {}, and so for general values", values.join(", "))
             }
-            SpinError::Undecided => f.write_str("no values of its symbols were found that tell"),
+            SpinError::Undecided => f.write_str("no values of the symbols were found that tell"),
         }
     }
 }
@@ -99,7 +96,7 @@ impl Rotation {
     /// let half = Fraction::new(Poly::one(), [(x.pow(2) + Poly::integer(4), 1)]);
     /// assert_eq!(
     ///     Rotation::with_spin(&half, &v, &Poly::one()).unwrap_err().to_string(),
-    ///     "its residues at the zeros of v^2 + 4 are not integers: the squares r of these residues are the zeros of 4*r - 1",
+    ///     "at the zeros of v^2 + 4 the residues of 2*I*h are not integers: their squares r are the zeros of 4*r - 1",
     /// );
     /// ```
     pub fn with_spin(h: &Fraction, variable: &Variable, start: &Poly) -> Result<Rotation, SpinError> {
@@ -114,7 +111,7 @@ impl Rotation {
             }
         }
         if numerator.degree(variable) >= denominator.degree(variable) {
-            return Err(SpinError::NotProper { spin: Box::new(h) });
+            return Err(SpinError::NotProper);
         }
         let spin = Spin { derivative: denominator.derivative(variable), numerator, denominator };
         let parts = budget::doing("the residues of a spin", || spin.parts(variable))?;
@@ -300,15 +297,17 @@ mod tests {
             let h = Fraction::new(numerator, [(denominator.clone(), 1)]);
             Rotation::with_spin(&h, &v(), &Poly::zero()).unwrap_err().to_string()
         };
-        assert!(decide(Poly::one(), &quadratic.pow(2)).contains("v^2 + 1 divides the denominator twice"));
+        assert!(
+            decide(Poly::one(), &quadratic.pow(2)).contains("v^2 + 1 divides the denominator of h twice")
+        );
         assert!(decide(x.pow(3), &quadratic).contains("not below"));
-        assert!(decide(x.clone(), &quadratic).contains("of these residues are the zeros of r + 1"));
+        assert!(decide(x.clone(), &quadratic).contains("their squares r are the zeros of r + 1"));
         assert!(decide(Poly::one(), &x).contains("zeros of r + 4"));
         // One good pair of poles and one bad one.
         let other = x.pow(2) + Poly::integer(2);
         let sum = &other + &quadratic;
         let message = decide(sum, &(&quadratic * &other));
-        assert!(message.contains("at the zeros of v^2 + 2 are not integers"), "{message}");
+        assert!(message.contains("at the zeros of v^2 + 2 the"), "{message}");
         assert!(message.contains("the zeros of 2*r - 1"), "{message}");
         // A residue with a real and an imaginary part.
         assert!(decide(&x + Poly::one(), &quadratic).contains("the zeros of r^2 + 4"));

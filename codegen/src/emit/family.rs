@@ -185,6 +185,9 @@ pub(super) fn documentation(setting: &Setting) -> String {
                 CoefficientKind::Preimage => format!(
                     "The preimage of the curve `{name}`: real and imaginary parts {symbols} of its Bernstein coefficients."
                 ),
+                CoefficientKind::Quaternion => format!(
+                    "The preimage of the spatial curve `{name}`: components {symbols} of its Bernstein coefficients, quaternions."
+                ),
                 CoefficientKind::Polynomial => {
                     format!("The curve `{name}`: the coefficients {symbols} of the powers of its parameter.")
                 }

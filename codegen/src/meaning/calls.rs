@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use hodograph_algebra::{Fraction, Poly, QuadraticFraction, Variable, Vector};
+use hodograph_algebra::{Fraction, Poly, QuadraticFraction, Quaternion, Variable, Vector};
 
 use super::expression::check_rational;
 use super::fault::Fault;
@@ -42,6 +42,17 @@ pub(super) fn call(scope: &Scope, span: Span, callee: &Expr, arguments: &[Argume
                 }
                 let value = super::frames::member(motion, callee.span(), member)?;
                 return apply(scope, span, callee, &value, &[motion.parameter().clone()], arguments);
+            }
+            if let Value::AdaptedFrame(frame) = owner.bare() {
+                // The Frenet frame has values at points, be it rational or not.
+                let at = match arguments {
+                    [argument] if argument.name.is_none() => {
+                        scope.scalar(&argument.value, "the value of the parameter")?.to_number()
+                    }
+                    _ => None,
+                };
+                let value = frame.member(callee.span(), member, at.as_ref())?;
+                return apply(scope, span, callee, &value, &[frame.curve.parameter().clone()], arguments);
             }
             let value = scope.evaluate(callee)?;
             apply_value(scope, span, callee, &value, arguments)
@@ -154,6 +165,10 @@ pub(super) fn substitute(
         Value::Scalar(scalar) => Value::Scalar(replace(scalar)?),
         Value::Complex(complex) => {
             Value::Complex(ComplexFraction { re: replace(&complex.re)?, im: replace(&complex.im)? })
+        }
+        Value::Quaternion(value) => {
+            let [w, x, y, z] = value.components().each_ref().map(replace);
+            Value::Quaternion(Quaternion::new(w?, x?, y?, z?))
         }
         Value::Tuple(parts) => Value::Tuple(parts.iter().map(replace).collect::<Result<_, _>>()?),
         other => {

@@ -12,6 +12,7 @@ use super::expression::shortened;
 use super::fault::Fault;
 use super::group::{CoefficientGroup, CoefficientKind};
 use super::scope::Scope;
+use super::spatial;
 use super::value::{ComplexFraction, Value};
 use crate::language::Span;
 use crate::language::ast::{Expr, ExprKind};
@@ -28,7 +29,7 @@ pub(super) struct CurveContext {
 }
 
 impl CurveContext {
-    fn group(&self, kind: CoefficientKind, rows: Vec<Vec<Variable>>) -> CoefficientGroup {
+    pub(super) fn group(&self, kind: CoefficientKind, rows: Vec<Vec<Variable>>) -> CoefficientGroup {
         CoefficientGroup { curve: self.name.clone(), kind, rows }
     }
 }
@@ -86,6 +87,7 @@ pub(super) fn constructor(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault
         "polynomial_curve" | "rational_curve" => symbolic(scope, context, call),
         "regular_curve" => regular(scope, context, call),
         "curve_from_hodograph" => from_hodograph(scope, context, call),
+        "ph_spatial" | "rrmf" | "rrmf_hermite" => spatial::constructor(scope, context, call),
         _ => Err(Fault::new(call.span, format!("`{}` is not a function", call.name))),
     }
 }
@@ -163,8 +165,11 @@ fn ph_curve(scope: &Scope, context: &CurveContext, preimage: &Preimage, start: &
     let w = preimage.polynomial(&context.parameter);
     let parts = preimage.curve(&context.parameter, start);
     let position = Vector::new(parts.position.re.into(), parts.position.im.into(), Fraction::zero());
-    let known =
-        KnownProperties { speed: Some(parts.speed.into()), arclength: None, preimage: Some([w.re, w.im]) };
+    let known = KnownProperties {
+        speed: Some(parts.speed.into()),
+        preimage: Some([w.re, w.im]),
+        ..KnownProperties::default()
+    };
     Value::Curve(curve(scope, &context.parameter, position, known))
 }
 

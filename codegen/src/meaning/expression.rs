@@ -277,6 +277,9 @@ pub(super) fn scalar(value: Rational) -> Value {
 
 /// The sum, if both are of one kind.
 pub(super) fn add(a: &Value, b: &Value) -> Option<Value> {
+    if a.is_quaternion() || b.is_quaternion() {
+        return Some(Value::Quaternion(&a.quaternion()? + &b.quaternion()?));
+    }
     if let (Some(a), Some(b)) = (a.scalar(), b.scalar()) {
         return Some(Value::Scalar(&a + &b));
     }
@@ -290,8 +293,11 @@ pub(super) fn add(a: &Value, b: &Value) -> Option<Value> {
     Some(Value::Vector(&a.vector()? + &b.vector()?))
 }
 
-/// The product of two scalars, of two complex numbers, or of a scalar and a vector.
+/// The product of two scalars, of two complex numbers, of a scalar and a vector, or with a quaternion.
 pub(super) fn product(a: &Value, b: &Value) -> Option<Value> {
+    if a.is_quaternion() || b.is_quaternion() {
+        return Some(Value::Quaternion(&a.quaternion()? * &b.quaternion()?));
+    }
     match (a.scalar(), b.scalar()) {
         (Some(a), Some(b)) => Some(Value::Scalar(&a * &b)),
         (Some(factor), None) | (None, Some(factor)) => {

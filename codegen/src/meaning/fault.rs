@@ -1,7 +1,7 @@
 //! Why an expression has no value.
 
 use hodograph_algebra::budget::Exhausted;
-use hodograph_algebra::{CurveError, OffsetError};
+use hodograph_algebra::{CurveError, OffsetError, SpinError};
 
 use crate::language::{Diagnostic, Span};
 
@@ -93,6 +93,15 @@ impl Fault {
             }
             CurveError::Pole { .. } => "state a `domain` without this pole",
             CurveError::Straight => "give a curve that bends",
+            CurveError::NoRationalFrame { .. } => {
+                "a quintic with the preimage A0, A1, A2 has one if A0*i*conj(A2) + A2*i*conj(A0) == 2*A1*i*conj(A1), as those of \
+                 `rrmf` do; the Euler-Rodrigues frame `.frame` of a PH curve is always rational, but turns about the tangent"
+            }
+            CurveError::UnknownFrame => "write the functions out",
+            CurveError::IrrationalFrenet { .. } => {
+                "its spin `.frenet.spin` is rational all the same, and its values at points, `s.frenet.normal(1/2)`, are numbers"
+            }
+            CurveError::SymbolicFrenet { .. } => "set symbols by `when`, or give the curve numbers",
             CurveError::NoDomain => "state `domain`, with the interval of the curve's parameter",
             _ => "",
         };
@@ -102,9 +111,21 @@ impl Fault {
             CurveError::IrrationalSpeed { .. }
                 | CurveError::SpeedChangesSign { .. }
                 | CurveError::ArcLength { .. }
+                | CurveError::NoRationalFrame { .. }
+                | CurveError::IrrationalFrenet { .. }
         );
-        fault.undecidable =
-            matches!(error, CurveError::UnknownArcLength { .. } | CurveError::IrrationalPlane { .. });
+        fault.undecidable = matches!(
+            error,
+            CurveError::UnknownArcLength { .. }
+                | CurveError::IrrationalPlane { .. }
+                | CurveError::UnknownFrame
+                | CurveError::SymbolicFrenet { .. }
+        );
+        if let CurveError::NoRationalFrame { error, .. } = error
+            && **error == SpinError::Undecided
+        {
+            (fault.irrational, fault.undecidable) = (false, true);
+        }
         if help.is_empty() { fault } else { fault.help(help) }
     }
 

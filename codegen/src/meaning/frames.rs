@@ -48,9 +48,10 @@ pub(super) fn frame(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     let role = "the quaternion of a frame";
     let parts = match value.bare() {
         Value::Tuple(parts) if parts.len() == 4 => numbers(quaternion, parts.clone(), role)?,
+        Value::Quaternion(parts) => numbers(quaternion, parts.components().to_vec(), role)?,
         other => {
             let message = format!("{role} has four parts, but this is {}", other.kind());
-            return Err(Fault::new(quaternion.span(), message).help("write `(w, x, y, z)`"));
+            return Err(Fault::new(quaternion.span(), message).help("write `quat(w, x, y, z)`"));
         }
     };
     let scale = match scale {

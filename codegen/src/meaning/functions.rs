@@ -9,11 +9,10 @@ use hodograph_algebra::{
 };
 
 use super::calls::Call;
-use super::curves;
 use super::fault::Fault;
 use super::scope::Scope;
 use super::value::{ComplexFraction, DegreeValue, Value};
-use super::{roots, surfaces};
+use super::{curves, roots, spatial, surfaces};
 use crate::language::Span;
 use crate::language::ast::{Expr, ExprKind};
 
@@ -38,6 +37,9 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "norm2" => {
             let [a] = call.positional()?;
             let value = scope.evaluate(a)?;
+            if let Value::Quaternion(quaternion) = value.bare() {
+                return Ok(Value::Scalar(quaternion.norm2()));
+            }
             if roots::is_rooted(&value)
                 && let Some(product) = roots::dot(&value, &value, call.span)?
             {
@@ -51,6 +53,9 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "conj" | "re" | "im" => {
             let [a] = call.positional()?;
             let value = scope.evaluate(a)?;
+            if let (Value::Quaternion(quaternion), "conj") = (value.bare(), name) {
+                return Ok(Value::Quaternion(quaternion.conj()));
+            }
             let complex = value.complex().ok_or_else(|| {
                 Fault::new(a.span(), format!("`{name}` needs a complex number, but this is {}", value.kind()))
             })?;
@@ -123,6 +128,8 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "frame" => super::frames::frame(scope, call),
         "frames" | "frames_file" => super::frames::motion(scope, call),
         "bezier_patch" | "similarity" | "similarity_offset" => surfaces::function(scope, call),
+        "quat" => spatial::quaternion(scope, call),
+        "canal" | "pipe" => spatial::canal(scope, call),
         "approx" | "coprime" | "is_pn" | "is_rational" | "parallel" | "positive" => {
             let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
             Err(fault.help("relations stand in `claim` clauses"))
@@ -166,6 +173,7 @@ fn derivative(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     Ok(match evaluated.bare() {
         Value::Scalar(f) => Value::Scalar(scalar(f)),
         Value::Complex(f) => Value::Complex(ComplexFraction { re: scalar(&f.re), im: scalar(&f.im) }),
+        Value::Quaternion(f) => Value::Quaternion(f.map(scalar)),
         rooted if roots::is_rooted(rooted) => {
             let parts = roots::parts(rooted, value.span())?.unwrap_or_default();
             let derive = |f: &Fraction| calculus.derivative(f, &by);

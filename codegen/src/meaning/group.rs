@@ -8,6 +8,8 @@ use hodograph_algebra::Variable;
 pub enum CoefficientKind {
     /// The real and the imaginary part of a Bernstein coefficient w_j of the preimage of a planar PH curve.
     Preimage,
+    /// The components of a Bernstein coefficient A_j of the preimage of a spatial PH curve, a quaternion.
+    Quaternion,
     /// The coefficients (x_j, y_j) of the power t^j of a polynomial curve.
     Polynomial,
     /// The coefficients (w_j, x_j, y_j) of the power t^j in the homogeneous coordinates of a rational curve.

@@ -385,7 +385,7 @@ fn symbolic_curves(item: &Item) -> usize {
             ExprKind::Call { callee, arguments } => match callee.kind() {
                 ExprKind::Ident(name) => match name.as_str() {
                     "polynomial_curve" | "rational_curve" => true,
-                    "ph" => {
+                    "ph" | "ph_spatial" => {
                         !arguments.iter().any(|argument| matches!(argument.value.kind(), ExprKind::Array(_)))
                     }
                     _ => false,

@@ -6,8 +6,9 @@ use hodograph_algebra::{Curve, Fraction, SweptSurface, Vector};
 
 use super::fault::Fault;
 use super::scope::{COORDINATES, Scope};
+use super::spatial::{FrameValue, quaternion_member};
 use super::surfaces;
-use super::value::Value;
+use super::value::{ComplexFraction, Value};
 use crate::language::ast::{Expr, Name};
 use crate::language::{Span, closest};
 
@@ -17,13 +18,18 @@ const CURVE_MEMBERS: &[&str] = &[
     "axis",
     "curvature",
     "evolute",
+    "frame",
+    "frenet",
     "hodograph",
     "involute",
     "length",
     "normal",
     "offset",
+    "preimage",
+    "rmf",
     "speed",
     "tangent",
+    "torsion",
     "x",
     "y",
     "z",
@@ -43,6 +49,8 @@ pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) ->
     match value.bare() {
         Value::Curve(curve) => curve_member(curve, span, member),
         Value::Motion(motion) => super::frames::member(motion, span, member),
+        Value::Quaternion(value) => quaternion_member(value, member),
+        Value::AdaptedFrame(frame) => frame.member(span, member, None),
         Value::Surface(surface) => surface_member(surface, member),
         Value::Offset(offset) => match offset.as_ref() {
             Ok(surface) => surface_member(surface, member),
@@ -76,6 +84,9 @@ fn curve_member(curve: &Rc<Curve>, span: Span, member: &Name) -> Result<Value, F
     if let Some(axis) = component(name) {
         return Ok(Value::Scalar(curve.position().components()[axis].clone()));
     }
+    if let Some(frame) = FrameValue::named(curve, name) {
+        return Ok(Value::AdaptedFrame(Rc::new(frame)));
+    }
     let scalar = |value: Result<Fraction, _>| value.map(Value::Scalar);
     let vector = |value: Result<Vector, _>| value.map(Value::Vector);
     let value = match name {
@@ -89,6 +100,17 @@ fn curve_member(curve: &Rc<Curve>, span: Span, member: &Name) -> Result<Value, F
         "axis" => vector(curve.axis()),
         "involute" => vector(curve.involute()),
         "evolute" => vector(curve.evolute()),
+        "torsion" => scalar(curve.torsion()),
+        "preimage" => Ok(match (curve.quaternion(), curve.preimage()) {
+            (Some(quaternion), _) => Value::Quaternion(quaternion.clone()),
+            (None, Some([a, b])) => {
+                Value::Complex(ComplexFraction { re: a.clone().into(), im: b.clone().into() })
+            }
+            (None, None) => {
+                let fault = Fault::new(span, "this curve was not made from a preimage");
+                return Err(fault.help("`ph`, `ph_hermite`, `ph_spatial` and `rrmf` make curves from one"));
+            }
+        }),
         "offset" => {
             let fault = Fault::new(span, "`offset` needs the distance");
             return Err(fault.help("write `s.offset(d)`"));
@@ -109,7 +131,7 @@ fn surface_member(surface: &SweptSurface, member: &Name) -> Result<Value, Fault>
     }
 }
 
-fn no_member(member: &Name, kind: &str, known: &[&str]) -> Fault {
+pub(super) fn no_member(member: &Name, kind: &str, known: &[&str]) -> Fault {
     let name = &member.value;
     let fault = Fault::new(member.span, format!("{kind} has no member `{name}`"));
     match closest(name, known.iter().copied()) {

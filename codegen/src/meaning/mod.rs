@@ -122,11 +122,13 @@
 //! | --- | --- | --- |
 //! | scalar | `0.25`, `2/3`, `1e-3`, `sqrt(2)`, `u^2*c` | complex number |
 //! | complex number | `1 + 2*I` | scalar, if its imaginary part is zero |
+//! | quaternion | `quat(w, x, y, z)` | scalar or vector, if its other part is zero |
 //! | vector | `(x, y)`, `(x, y, z)`, `x*i + z*k` | of a pair, z is 0 |
 //! | homogeneous coordinates | `(w, x, y, z)` | |
 //! | list | `[a, b, c]` | the argument of a constructor only |
 //! | frame, motion | `frame(…)`, the name of a motion | |
 //! | curve, surface | its name | its position vector |
+//! | frame of a curve | `s.frame`, `s.rmf`, `s.frenet` | its members alone have values |
 //! | degree | `degree(…)` | stands on the left side of a relation only |
 //! | formula in fundamental forms | `R.L`, `R.H/R.K` | scalar, for the surface's forms; see *Fundamental forms* |
 //! | scalar or vector with a root | `sqrt(1 + u^2)`, `R.unit_normal` | `a + b*sqrt(q)` with one radicand q |
@@ -134,8 +136,9 @@
 //! | operator | for |
 //! | --- | --- |
 //! | `a + b`, `a - b` | two scalars or complex numbers; two vectors; two tuples of one length |
-//! | `a*b` | two scalars or complex numbers; a scalar and a vector or tuple, in either order |
+//! | `a*b` | two scalars or complex numbers; a scalar and a vector or tuple, in either order; a quaternion with a scalar, a vector or a quaternion, where the order counts |
 //! | `a/b` | anything that `*` takes, by a scalar or complex number that is not identically zero |
+//! | `a + b`, `a - b`, `-a` | quaternions, to which scalars and vectors can be added |
 //! | `-a` | scalars, complex numbers, vectors, tuples |
 //! | `a^n` | a scalar or complex number, with an integer −1000 ≤ n ≤ 1000 ([`MAX_EXPONENT`]) |
 //! | `f(a, b)` | the value of a function, curve, member of a curve or surface at these values of its parameters |
@@ -174,8 +177,10 @@
 //! - `diff(f, u)`: the partial derivative `∂f/∂u` of a scalar, complex number or vector. `diff(f, u, n)` is the n-th
 //!   one, `0 ≤ n ≤ 100`. The derivative of a curve by its parameter can be called: `diff(s, v)(1)`.
 //! - `dot(a, b)`, `cross(a, b)`: the products of two vectors.
-//! - `norm2(a)`: `a·a` of a vector; `|a|²` of a complex number.
-//! - `conj(z)`, `re(z)`, `im(z)`: conjugate, real part, imaginary part of a complex number.
+//! - `norm2(a)`: `a·a` of a vector; `|a|²` of a complex number or quaternion.
+//! - `conj(z)`, `re(z)`, `im(z)`: conjugate, real part, imaginary part of a complex number; the conjugate of a quaternion.
+//! - `quat(w, x, y, z)`: the quaternion `w + x*i + y*j + z*k` of four scalars. In products with it `i`, `j`, `k` are Hamilton's
+//!   units, as in `A*i*conj(A)`.
 //!
 //! ## Roots and angles
 //!
@@ -230,6 +235,13 @@
 //! - `offset(R, d)`: the offset surface `R + d·N` of (12) with the unit normal `N`, for a scalar `d`. Errors, except in
 //!   `is_rational`: it is not rational in the given parameters, or only over a root of the symbols.
 //! - `offset(s, d)`: the offset curve of (8), as `s.offset(d)`.
+//! - `pipe(s, r)`: the pipe of radius `r` around a curve with a rational parametric speed, `s + r*((1 - u^2)*f + 2*u*g)/(1 + u^2)` with
+//!   the frame `(t, f, g)` of `s.frame` and the surface's other parameter `u`.
+//! - `canal(s, r)`: the envelope of the spheres around `s` with the radius `r(v)`, a function of the curve's parameter. It
+//!   is rational exactly if `σ² − r'²` is nowhere negative, as a sum `p² + q²` of two squares. They are found where the factors of odd
+//!   multiplicity of `σ − r'` and `σ + r'` are quadratics. Errors: it is negative somewhere; finding `p` and `q` needs more than square roots.
+//! - `pipe(s, r, frame = s.rmf)`, `canal(s, r, frame = s.rmf)`: the same with another rational frame, which begins the circles
+//!   elsewhere.
 //! - `similarity_offset(R, f, d)`: the surface `R + d*f*n1` of GE (4.10) with the unit normal n1, for a similarity function `f`, a formula
 //!   in the fundamental forms of R that scales as a length does; see *Fundamental forms*. It is rational for every rational surface, and the
 //!   same on both sides of it. R may be a vector in the two parameters of the item.
@@ -335,7 +347,18 @@
 //! - `curve_from_hodograph(h)`: the curve with `s' = h` for a vector `h`, without the integration: coordinates, and the
 //!   arc length if `|h|` is rational, are symbols of which only the derivatives are known.
 //!
-//! The coefficients of `ph(n)`, `polynomial_curve` and `rational_curve` are symbols of the item. If it has several such
+//! - `ph_spatial([A0, …, Ak])`: the spatial PH curve `s' = A i A*` with `s(0) = 0`, where the preimage
+//!   `A(v) = Σ A_j·C(k, j)·vʲ(1 − v)ᵏ⁻ʲ` has these quaternions for Bernstein coefficients. Its degree is 2k + 1.
+//! - `ph_spatial(n)`: the same with an odd degree and symbols, `A_j = quat(aj, bj, cj, dj)`. Sweeps have room for those of n ≤ 9.
+//! - `rrmf(A0, A1, c)`: the quintic `ph_spatial([A0, A1, A2])` with `A2 = -(c + A1*i*conj(A1))*A0*i/norm2(A0)`. For quaternions `A0 != 0` and
+//!   `A1` and scalars `c` these are all quintics, but for those that begin with a cusp, for which `A0 i A2* + A2 i A0* = 2 A1 i A1*`
+//!   (Farouki 2010): they have rational rotation-minimizing frames.
+//! - `rrmf_hermite(a, da, db)`: such a quintic with `s(0) = a`, `s'(0) = da`, `s'(1) = db`, numbers each. It is found by square roots. With
+//!   `turn = p`, `twist = q` for numbers p, q, the tangents of half the angles by which `A2` and `A1` are turned on their circles, these
+//!   are all.
+//! - `ph_spatial(…, start = (x, y, z))`, `rrmf(…, start = (x, y, z))`: with that `s(0)`.
+//!
+//! The coefficients of `ph(n)`, `ph_spatial(n)`, `polynomial_curve` and `rational_curve` are symbols of the item. If it has several such
 //! curves, the curve's name precedes theirs: `s_a0`.
 //!
 //! ```
@@ -382,6 +405,9 @@
 //! | `curvature` | the signed curvature `κ = (s' × s'')·e/σ³` | (5) |
 //! | `arclength` | the arc length `∫σ` from the beginning of the domain, or from 0 without one | (6) |
 //! | `length` | the total arc length over the domain, `S` | (29) |
+//! | `torsion` | `τ = (s' × s'')·s'''/‖s' × s''‖²` | |
+//! | `preimage` | the preimage of `ph`, a complex polynomial, or of `ph_spatial`, a quaternion | |
+//! | `frame`, `rmf`, `frenet` | see *Frames of curves* | |
 //! | `offset(d)` | the offset curve `s + d·n` | (8) |
 //! | `involute` | `s − s(v)·t`, with the arc length `s(v)` | (24) |
 //! | `evolute` | `s − n/κ` | (28) |
@@ -472,12 +498,68 @@
 //! assert_eq!(judgement.condition.as_deref(), Some("c > 0"));
 //! ```
 //!
+//! # Frames of curves
+//!
+//! A frame `(t, f, g)` of a curve is right-handed and orthonormal, with the unit tangent `t`. A curve of rational parametric
+//! speed has three, which a plane contains or not:
+//!
+//! - `s.frame`, the Euler-Rodrigues frame `(A i A*, A j A*, A k A*)/σ` of the preimage `A`. It is always rational. For a
+//!   curve that is given otherwise `A` is the quaternion polynomial of least degree along `σ + x' − z' j + y' k`.
+//! - `s.rmf`, the rotation-minimizing frame that begins as `s.frame` where the domain does, or at 0. Whether it is rational is
+//!   decided for every PH curve: if it is, it is the Euler-Rodrigues frame of `A*W` for a complex polynomial `W`, which is
+//!   found from the residues of the function by which `s.frame` turns (see [`Rotation`](hodograph_algebra::Rotation)).
+//! - `s.frenet`, the tangent, the principal normal and the binormal.
+//!
+//! | member | what it is |
+//! | --- | --- |
+//! | `tangent`, `f`, `g` | the vectors |
+//! | `normal`, `binormal` | those of `frenet` |
+//! | `spin` | `f'·g`, the rotation about the tangent by the parameter; of `frenet` that is `σ τ`, also where the frame is not rational |
+//! | `preimage` | the quaternion polynomial of which it is the Euler-Rodrigues frame; not of `frenet` |
+//! | `rotation` | of `rmf`: the complex polynomial `W` with the angle `2 arg W` between it and `frame` |
+//!
+//! All can be called, as in `s.rmf.f(1/2)`; where the Frenet frame is not rational, its vectors at numbers are made of square
+//! roots. Errors: those of `speed`; the frame is not rational, with the reason. `is_rational(s.rmf)` is refuted then, for a curve
+//! with symbols in general.
+//!
+//! ```
+//! # use hodograph_codegen::{language::parse_text, meaning::models};
+//! # fn judge(text: &str) -> Vec<(String, String)> {
+//! #     let (models, mistakes) = models(&parse_text("example", text).unwrap().0);
+//! #     assert!(mistakes.is_empty(), "{mistakes:?}");
+//! #     let check = |claim| models[0].check(claim, u64::MAX).unwrap();
+//! #     models[0].claims.iter().map(check).map(|j| (j.verdict.to_string(), j.derived)).collect()
+//! # }
+//! let judgements = judge(r#"lemma frames {
+//!     let A1 = quat(1, 2, 1, 0);
+//!     path s(v) = rrmf(2, A1, 2);
+//!     curve c(v) = ph_spatial([1, A1]);
+//!     curve h(v) = rrmf_hermite((1, 0, 0), 4*i, 4*j, turn = 1/2);
+//!     let A(v) = s.preimage;
+//!     claim "product": A1*i*conj(A1) == (4, 4, -2);
+//!     claim "hodograph": s.hodograph == A*i*conj(A);
+//!     claim "speed": s.speed(0) == 4;
+//!     claim "no rotation": dot(diff(s.rmf.f, v), s.rmf.g) == 0;
+//!     claim "right-handed": cross(s.rmf.tangent, s.rmf.f) == s.rmf.g;
+//!     claim "rotation": 2*s.rmf.rotation == (1 - v)^2*4 + 2*(1 - v)*v*(2 - 4*I) + v^2*(6 + 2*I);
+//!     claim "Frenet": s.frenet.normal(0) == -s.rmf.g(0);
+//!     claim "its spin": s.frenet.spin(0) == 6;
+//!     claim "Hermite": h.hodograph(1) == 4*j;
+//!     claim "cubic": is_rational(c.frenet);
+//!     claim "no frame": is_rational(c.rmf), expect refuted;
+//! }"#);
+//! let verdicts: Vec<&str> = judgements.iter().map(|(verdict, _)| verdict.as_str()).collect();
+//! assert_eq!(verdicts[..10], ["proved"; 10]);
+//! assert_eq!(verdicts[10], "refuted");
+//! assert!(judgements[10].1.contains("at the zeros of 5*v^2 + 1 the residues"));
+//! ```
+//!
 //! # Frames
 //!
 //! A motion moves a curve through frames: positions, orientations and sizes (JW is Johnstone and Williams, *A rational model of the surface swept by a
 //! curve*, 1995; its Definition 1). It is piecewise rational in its parameter, with a piece between each two frames.
 //!
-//! - `frame(p, q)`, `frame(p, q, s)`: the frame with the position p, the unit quaternion q = `(w, x, y, z)` and the scale s, which is 1
+//! - `frame(p, q)`, `frame(p, q, s)`: the frame with the position p, the unit quaternion q = `(w, x, y, z)` or `quat(w, x, y, z)` and the scale s, which is 1
 //!   where it is not given.
 //! - `frames([f0, f1, …])`: the motion through two to 64 frames ([`MAX_FRAMES`](hodograph_algebra::MAX_FRAMES)).
 //! - `frames_file("turn.json")`: the same with the frames in a file, `[{"position": [0, 0, 0.5], "quaternion": ["3/5", 0, 0, "4/5"],
@@ -559,6 +641,7 @@
 //! | of | members |
 //! | --- | --- |
 //! | vectors | `x`, `y`, `z` |
+//! | quaternions | `w`, `x`, `y`, `z`, and `vector`, the part without `w` |
 //! | homogeneous coordinates | `W`, `X`, `Y`, `Z` |
 //! | surfaces and their offsets | `x`, `y`, `z`; `W`, `X`, `Y`, `Z` without common factor (10); those of *Fundamental forms* |
 //!
@@ -721,6 +804,7 @@ mod pieces;
 mod relation;
 mod roots;
 mod scope;
+mod spatial;
 mod surfaces;
 mod value;
 mod witness;

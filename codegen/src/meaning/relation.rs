@@ -392,6 +392,10 @@ pub(super) fn components(
     right: &Expr,
     b: &Value,
 ) -> Result<(Vec<Fraction>, Vec<Fraction>), Fault> {
+    if let (true, Some(a), Some(b)) = (a.is_quaternion() || b.is_quaternion(), a.quaternion(), b.quaternion())
+    {
+        return Ok((a.components().to_vec(), b.components().to_vec()));
+    }
     if let (Some(a), Some(b)) = (a.complex(), b.complex()) {
         let real = a.im.is_zero() && b.im.is_zero();
         return Ok(if real { (vec![a.re], vec![b.re]) } else { (vec![a.re, a.im], vec![b.re, b.im]) });
@@ -507,6 +511,25 @@ fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault>
             None => Err(fault),
         },
         Ok(value) => match value.bare() {
+            Value::AdaptedFrame(frame) => {
+                match frame.rational().map_err(|error| Fault::curve(expr.span(), &error)) {
+                    Ok(frame) => {
+                        let parts = frame.f.components().iter().chain(frame.g.components());
+                        let text = match &frame.rotation {
+                            Some(w) => format!(
+                                "rational, of the angle 2*arg(W) with W = {}",
+                                shortened(&w.to_string())
+                            ),
+                            None => format!("rational, f = {}", print(frame.f.components())),
+                        };
+                        Ok(Finding::new(true, text).about(parts))
+                    }
+                    Err(fault) if fault.irrational => {
+                        Ok(Finding::new(false, fault.diagnostic.message).about_variables(unknowns()))
+                    }
+                    Err(fault) => Err(fault),
+                }
+            }
             Value::Offset(offset) => match offset.as_ref() {
                 Ok(surface) => {
                     let degree = surface.homogeneous().degree();

@@ -24,6 +24,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "bernstein_product",
     "bezier",
     "bezier_patch",
+    "canal",
     "conj",
     "continuity",
     "coprime",
@@ -48,20 +49,22 @@ pub(super) const FUNCTIONS: &[&str] = &[
     "parallel",
     "ph",
     "ph_hermite",
+    "ph_spatial",
+    "pipe",
     "polynomial_curve",
     "positive",
+    "quat",
     "rational_curve",
     "re",
     "regular_curve",
     "resultant",
+    "rrmf",
+    "rrmf_hermite",
     "similarity",
     "similarity_offset",
     "sin",
     "sqrt",
 ];
-
-/// Functions for spatial curves, which are not available yet.
-const PLANNED: &[&str] = &["ph_spatial", "quat"];
 
 /// Names that always have a value, which cannot be redefined.
 const CONSTANTS: &[&str] = &["I", "i", "j", "k", "pi"];
@@ -429,9 +432,6 @@ impl Scope {
             .chain(CONSTANTS.iter().copied())
             .chain(coordinates.copied());
         let fault = Fault::new(span, format!("`{name}` is not defined"));
-        if PLANNED.contains(&name) {
-            return fault.help("the language has a place for it, but this version does not know it");
-        }
         match closest(name, known) {
             Some(similar) => fault.help(format!("did you mean `{similar}`?")),
             None if COORDINATES.contains(&name) => fault.help("W, X, Y and Z are known after `surface`"),

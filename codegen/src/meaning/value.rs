@@ -4,10 +4,12 @@ use std::fmt;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Curve, Fraction, Frame, MotionSegment, OffsetError, QuadraticFraction, SweptSurface, Variable, Vector,
+    Curve, Fraction, Frame, MotionSegment, OffsetError, QuadraticFraction, Quaternion, SweptSurface,
+    Variable, Vector,
 };
 
 use super::roots::FormValue;
+use super::spatial::FrameValue;
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -16,6 +18,8 @@ pub(super) enum Value {
     Scalar(Fraction),
     /// A complex number or function.
     Complex(ComplexFraction),
+    /// A quaternion.
+    Quaternion(Quaternion),
     /// A vector in space.
     Vector(Vector),
     /// A tuple `(a, b, …)` as written: a vector of the plane or of space, degrees, or homogeneous coordinates.
@@ -24,6 +28,8 @@ pub(super) enum Value {
     List(Vec<Value>),
     /// A curve with its properties.
     Curve(Rc<Curve>),
+    /// A frame along a curve.
+    AdaptedFrame(Rc<FrameValue>),
     /// A surface.
     Surface(Rc<SweptSurface>),
     /// A surface that may not be rational: the offset of a surface.
@@ -127,11 +133,13 @@ impl Value {
             Value::Scalar(value) if value.to_number().is_some() => "a number",
             Value::Scalar(_) => "a scalar function",
             Value::Complex(_) => "a complex number",
+            Value::Quaternion(_) => "a quaternion",
             Value::Vector(_) => "a vector",
             Value::Tuple(parts) if parts.len() <= 3 => "a vector",
             Value::Tuple(_) => "a list of homogeneous coordinates",
             Value::List(_) => "a list",
             Value::Curve(_) => "a curve",
+            Value::AdaptedFrame(_) => "a frame of a curve",
             Value::Surface(_) => "a surface",
             Value::Offset(_) => "an offset surface",
             Value::Frame(_) => "a frame",
@@ -160,11 +168,12 @@ impl Value {
             Value::Scalar(value) => Some(value.clone()),
             Value::Complex(value) if value.im.is_zero() => Some(value.re.clone()),
             Value::Form(form) => form.value().ok()?.to_rational_function(),
+            Value::Quaternion(value) if value.is_scalar() => Some(value.scalar().clone()),
             _ => None,
         }
     }
 
-    /// The vector that it is: also a pair or triple, a curve's position, a surface's.
+    /// The vector that it is: also a pair or triple, a curve's position, a surface's, a quaternion without scalar part.
     #[must_use]
     pub(super) fn vector(&self) -> Option<Vector> {
         match self.bare() {
@@ -174,6 +183,7 @@ impl Value {
                 [x, y, z] => Some(Vector::new(x.clone(), y.clone(), z.clone())),
                 _ => None,
             },
+            Value::Quaternion(value) if value.is_vector() => Some(value.vector()),
             Value::Curve(curve) => Some(curve.position().clone()),
             Value::Surface(surface) => Some(surface.position().clone()),
             Value::Offset(offset) => offset.as_ref().as_ref().ok().map(|surface| surface.position().clone()),
@@ -192,11 +202,27 @@ impl Value {
         }
     }
 
-    /// The components of a tuple of any length, or of a vector.
+    /// The quaternion that it is; scalars and vectors count.
+    #[must_use]
+    pub(super) fn quaternion(&self) -> Option<Quaternion> {
+        match self.bare() {
+            Value::Quaternion(value) => Some(value.clone()),
+            _ => self.scalar().map(Quaternion::from).or_else(|| self.vector().map(Quaternion::from)),
+        }
+    }
+
+    /// Whether it is a quaternion as such, be its scalar or vector part zero.
+    #[must_use]
+    pub(super) fn is_quaternion(&self) -> bool {
+        matches!(self.bare(), Value::Quaternion(_))
+    }
+
+    /// The components of a tuple of any length, of a vector or of a quaternion.
     #[must_use]
     pub(super) fn components(&self) -> Option<Vec<Fraction>> {
         match self.bare() {
             Value::Tuple(parts) => Some(parts.clone()),
+            Value::Quaternion(value) if !value.is_vector() => Some(value.components().to_vec()),
             other => other.vector().map(|vector| vector.components().to_vec()),
         }
     }
