@@ -45,7 +45,7 @@ fn files_are_exact() {
         claim "start": F.position(0) == (0, -1/10, 1/1000);
         claim "end": F.position(1) == (1/3, -1/3, 2);
         claim "scale": F.scale(1) == 5/2;
-        claim "quaternion": (F.quaternion(0).W, F.quaternion(0).Z) == (-3/5, 4/5);
+        claim "quaternion": (F.quaternion(0).w, F.quaternion(0).z) == (-3/5, 4/5);
     }"#;
     let models = read(text, json).unwrap();
     for claim in &models[0].claims {

@@ -238,7 +238,7 @@ pub(super) fn member(motion: &MotionSegment, span: Span, member: &Name) -> Resul
     match name {
         "position" => Ok(Value::Vector(motion.position())),
         "scale" => Ok(Value::Scalar(motion.scale())),
-        "quaternion" => Ok(tuple(motion.quaternion().components())),
+        "quaternion" => Ok(Value::Quaternion(motion.quaternion())),
         "curve" => Ok(tuple(motion.curve().components())),
         "weight" => Ok(Value::Scalar(motion.weight().into())),
         _ if METHODS.contains(&name) => {

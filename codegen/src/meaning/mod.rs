@@ -586,8 +586,8 @@
 //! | member of a motion `F` | what it is |
 //! | --- | --- |
 //! | `F.position`, `F.scale` | the position `P(v)` of the reference point, the size `S(v)` |
-//! | `F.quaternion` | the unit quaternion of the orientation, `(w, x, y, z)`; with `direct`, one of any length |
-//! | `F.curve` | the curve in 4-space that the orientation comes from |
+//! | `F.quaternion` | the unit quaternion of the orientation; with `direct`, one of any length |
+//! | `F.curve` | the curve in 4-space that the orientation comes from, a tuple of four |
 //! | `F.weight` | the denominator of the rotation matrix `O(v)` |
 //! | `F.rotate(c)` | `O(v) c`, for a point or a curve c |
 //! | `F.sweep(c)` | the sweep `P(v) + O(v) S(v) c`, exactly (JW (1)) |
@@ -625,7 +625,7 @@
 //!     surface R = F.sweep(c);
 //!     domain u in 0..1;
 //!     claim "frame": R(1, 1) == (2, 0, 0) + (-24, 7, 0)/25;
-//!     claim "shortest arc": F.quaternion(2).Z == 4/5;
+//!     claim "shortest arc": F.quaternion(2).z == 4/5;
 //!     claim "degree": degree(R) == (1, 9);
 //!     claim "joint": continuity(R) == 2;
 //!     claim "rigid": norm2(diff(R, u)) == 1;

@@ -156,7 +156,10 @@ pub(super) fn continuity(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault>
     let mut pieces = Vec::new();
     for piece in scope.pieces() {
         let value = piece.rational_value(expr)?;
-        let parts = value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components());
+        let parts = match value.bare() {
+            Value::Quaternion(quaternion) => Some(quaternion.components().to_vec()),
+            _ => value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components()),
+        };
         pieces.push(parts.ok_or_else(|| {
             Fault::new(expr.span(), format!("a function is expected here, but this is {}", value.kind()))
         })?);
