@@ -4,8 +4,8 @@
 mod config;
 
 use hodograph_algebra::{
-    CurvatureZeros, FormError, FormFunction, Fraction, Interval, Poly, QuadraticFraction, SweptSurface, Variable, Vector,
-    integer, ratio,
+    CurvatureZeros, FormError, FormFunction, Fraction, Interval, Poly, QuadraticFraction, SweptSurface,
+    Variable, Vector, integer, ratio,
 };
 use proptest::prelude::*;
 

@@ -173,7 +173,8 @@ fn similarities_keep_angles() {
 #[test]
 fn sides_of_surfaces_with_symbols_are_conditions() {
     let claims = ["S.H == 0", "S.L == 0", "S.K == -c^2/(1 + c^2*(u^2 + v^2))^2"];
-    let judgements = judge(&text("(c*u, v, c*u*v)", &["S.unit_normal(0, 0) == k", "S.K(0, 0) == -1"])).unwrap();
+    let judgements =
+        judge(&text("(c*u, v, c*u*v)", &["S.unit_normal(0, 0) == k", "S.K(0, 0) == -1"])).unwrap();
     assert_eq!(judgements[0].condition.as_deref(), Some("c > 0"));
     assert_eq!(judgements[1].condition, None);
     verdicts("(u, v, c*u*v)", Verdict::Refuted, &claims[..1]);

@@ -38,7 +38,8 @@ impl CurvatureZeros {
         if numerator.is_zero() {
             return CurvatureZeros::Everywhere;
         }
-        singular::zeros(&numerator.primitive(), domain).map_or(CurvatureZeros::Undetermined, CurvatureZeros::At)
+        singular::zeros(&numerator.primitive(), domain)
+            .map_or(CurvatureZeros::Undetermined, CurvatureZeros::At)
     }
 }
 
