@@ -79,7 +79,7 @@ impl OutputBound {
         raise(&mut self.relative_errors, &other.relative_errors);
         raise(&mut self.relative_errors_of_results, &other.relative_errors_of_results);
         self.size = self.size.max(other.size);
-        self.failure = self.failure.take().or_else(|| other.failure.clone());
+        self.failure = self.failure.or(other.failure);
     }
 }
 
