@@ -24,6 +24,10 @@ sweep!(file = "formulas/similarity_offset_example_4_7.sweep");
 sweep!(file = "formulas/similarity_offset_example_4_8.sweep");
 sweep!(file = "formulas/similarity_offset_example_5_3.sweep");
 
+// The three patches of degree (2, 15) take longer to derive than all other entries together, so their code is checked in:
+// `hodograph emit frames_gutter --target rust -o generated/src/catalogue/frames_gutter.rs` writes it, and the tests compare it.
+include!("catalogue/frames_gutter.rs");
+
 sweep!(file = "formulas/scaled_rotation_family.sweep");
 sweep!(file = "formulas/oriented_translation_family.sweep");
 sweep!(file = "formulas/oriented_translation_of_profiles.sweep");
@@ -33,7 +37,8 @@ sweep!(file = "formulas/evolute_sweep_family.sweep");
 sweep!(file = "formulas/generalized_conical_family.sweep");
 sweep!(file = "formulas/generalized_conical_quadratic_family.sweep");
 
-/// All surfaces of the catalogue, in a fixed order: that of their papers. Families are not among them.
+/// All surfaces of the catalogue, in a fixed order: that of their papers. Families are not among them; of a surface of several pieces
+/// the pieces are.
 ///
 /// ```
 /// let surfaces = hodograph::catalogue::all();
@@ -60,5 +65,8 @@ pub fn all() -> &'static [&'static dyn Surface] {
         &similarity_offset_example_5_3_inverse_mean::SimilarityOffsetExample53InverseMean,
         &rotation_minimizing_example::RotationMinimizingExample,
         &pipe_example::PipeExample,
+        &frames_gutter_1::FramesGutter1,
+        &frames_gutter_2::FramesGutter2,
+        &frames_gutter_3::FramesGutter3,
     ]
 }

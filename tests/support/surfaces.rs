@@ -95,6 +95,15 @@ pub fn concrete() -> Vec<Subject> {
         evolute_sweep::EvoluteSweep,
         generalized_conical_example_5::GeneralizedConicalExample5,
         generalized_conical_quadratic::GeneralizedConicalQuadratic,
+        similarity_offset_example_4_7::SimilarityOffsetExample47,
+        similarity_offset_example_4_8::SimilarityOffsetExample48,
+        similarity_offset_example_5_3_mean_over_gaussian::SimilarityOffsetExample53MeanOverGaussian,
+        similarity_offset_example_5_3_inverse_mean::SimilarityOffsetExample53InverseMean,
+        rotation_minimizing_example::RotationMinimizingExample,
+        pipe_example::PipeExample,
+        frames_gutter_1::FramesGutter1,
+        frames_gutter_2::FramesGutter2,
+        frames_gutter_3::FramesGutter3,
     ]
 }
 
