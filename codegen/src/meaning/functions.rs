@@ -231,7 +231,10 @@ fn square_root(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
         Fault::new(a.span(), "this square root has no form here").help("the radicand must not be negative")
     })?;
     // √(f²q) = |f|·√q
-    let factor = nonnegative(scope, &root.root_part().lowest_terms(), a.span())?;
+    let factor = nonnegative(scope, &root.root_part().lowest_terms(), a.span()).map_err(|fault| {
+        // Whatever the sign of f, the root is irrational.
+        Fault { irrational: true, ..fault }
+    })?;
     let negative = factor != *root.root_part();
     Ok(Value::Root(Rc::new(if negative { root.scale(&integer(-1).into()) } else { root })))
 }
