@@ -125,6 +125,7 @@ fn with_derived<T>(model: &Model, derivation: &Essentials, work: impl FnOnce(&De
         normal: derivation.normal.as_ref().map(hodograph_algebra::Normal::numerator),
         normal_root: length.as_ref(),
         singular: derivation.orientation.as_ref(),
+        factor: derivation.normal.as_ref().map(hodograph_algebra::Normal::factor),
         known: &known,
         domain: &domain,
         conditions: &conditions,

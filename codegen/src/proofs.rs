@@ -2,7 +2,7 @@
 
 use hodograph_algebra::{BoxSign, Essentials, Poly, Rational, Variable, budget};
 
-use crate::bound::{Proof, Rounding, Unbounded, prove};
+use crate::bound::{Proof, Rounding, Unbounded, ValueBound, prove};
 use crate::program::Program;
 use crate::round::exact;
 use crate::schedule::outputs;
@@ -37,12 +37,25 @@ pub struct OutputBound {
     pub errors: [f64; 4],
     /// The same divided by |exact|, for every result.
     pub relative_errors: [f64; 4],
-    /// The same for each result by itself, in double precision and the plain variant.
-    pub relative_errors_of_results: Vec<f64>,
+    /// The bounds for each result by itself.
+    pub results: Vec<ResultBound>,
     /// A result has somewhere at least this magnitude.
     pub size: f64,
+    /// No result has a greater magnitude; infinite where that is not known.
+    pub most: f64,
     /// Why there is no bound.
     pub failure: Option<Unbounded>,
+}
+
+/// The bounds of one result of an output.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ResultBound {
+    /// |computed − exact| is at most this, in each of [`Rounding::ALL`]; infinite where nothing is proved.
+    pub errors: [f64; 4],
+    /// |computed − exact|/|exact| is at most this in double precision and the plain variant, or if there is underflow.
+    pub relative_error: f64,
+    /// |computed − exact| may be greater by this, where numbers underflow.
+    pub underflow: f64,
 }
 
 /// What is proved of a surface, with numbers rounded up to three digits.
@@ -101,27 +114,44 @@ pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
         name,
         errors: [f64::INFINITY; 4],
         relative_errors: [f64::INFINITY; 4],
-        relative_errors_of_results: Vec::new(),
+        results: Vec::new(),
         size: proofs.first().map_or(0.0, |proof| rounded_down(proof.attained(name))),
+        most: f64::INFINITY,
         failure: None,
     };
     for (place, proof) in proofs.iter().enumerate() {
+        let results = proof.output(name);
         match proof.error(name) {
             Ok(error) => bound.errors[place] = rounded_up(error),
             Err(failure) => bound.failure = Some(failure),
         }
-        let relative = |result: &Result<crate::bound::ValueBound, Unbounded>| {
+        let relative = |result: &Result<ValueBound, Unbounded>| {
             let relative = result.as_ref().ok().and_then(|bound| bound.relative);
-            // What comes from underflow is no matter of a factor.
-            relative
-                .filter(|relative| relative.underflow == 0.0)
-                .map_or(f64::INFINITY, |relative| relative.factor)
+            relative.map_or((f64::INFINITY, 0.0), |relative| (relative.factor, relative.underflow))
         };
-        let all: Vec<f64> = proof.output(name).iter().map(relative).collect();
-        bound.relative_errors[place] =
-            all.iter().fold(0.0, |largest: f64, &error| largest.max(rounded_up(error)));
+        // What comes from underflow is no matter of a factor.
+        let factors = results.iter().map(|result| match relative(result) {
+            (factor, 0.0) => factor,
+            _ => f64::INFINITY,
+        });
+        bound.relative_errors[place] = factors.fold(0.0, |largest: f64, error| largest.max(rounded_up(error)));
         if place == 0 {
-            bound.relative_errors_of_results = all.into_iter().map(rounded_up).collect();
+            bound.results = results
+                .iter()
+                .map(|result| {
+                    let (relative_error, underflow) = relative(result);
+                    ResultBound {
+                        errors: [f64::INFINITY; 4],
+                        relative_error: rounded_up(relative_error),
+                        underflow: rounded_up(underflow),
+                    }
+                })
+                .collect();
+            let sizes = results.iter().map(|result| result.as_ref().map_or(f64::INFINITY, ValueBound::size));
+            bound.most = rounded_up(sizes.fold(0.0, f64::max));
+        }
+        for (known, result) in bound.results.iter_mut().zip(results) {
+            known.errors[place] = result.as_ref().map_or(f64::INFINITY, |bound| rounded_up(bound.error));
         }
     }
     bound
@@ -216,6 +246,9 @@ fn certificates(derivation: &Essentials, bounds: &[OutputBound]) -> Vec<String> 
             format!("Singular points on the domain, where R_u × R_v = 0: {}.", sets.join("; "))
         }
     });
+    if derivation.orientation.is_some() && regular {
+        lines.push("Bounds of what has no value at singular points hold at all others.".to_string());
+    }
     lines
 }
 

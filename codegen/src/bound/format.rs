@@ -42,18 +42,31 @@ pub(super) struct Error {
     pub(super) tiny: Dyadic,
     /// Whether there are bounds; all others say nothing if not.
     pub(super) is_known: bool,
+    /// Whether x̂ is 0 or has the sign of x, which is not 0 then.
+    pub(super) keeps_sign: bool,
 }
 
 impl Error {
     /// The error of what is exact.
-    pub(super) const NONE: Error = Error::new(Dyadic::ZERO, Relative::NONE, Dyadic::ZERO);
+    pub(super) const NONE: Error =
+        Error { keeps_sign: true, ..Error::new(Dyadic::ZERO, Relative::NONE, Dyadic::ZERO) };
 
     /// No bound.
-    pub(super) const UNKNOWN: Error =
-        Error { absolute: Dyadic::ZERO, relative: Relative::UNKNOWN, tiny: Dyadic::ZERO, is_known: false };
+    pub(super) const UNKNOWN: Error = Error {
+        absolute: Dyadic::ZERO,
+        relative: Relative::UNKNOWN,
+        tiny: Dyadic::ZERO,
+        is_known: false,
+        keeps_sign: false,
+    };
 
     const fn new(absolute: Dyadic, relative: Relative, tiny: Dyadic) -> Error {
-        Error { absolute, relative, tiny, is_known: true }
+        Error { absolute, relative, tiny, is_known: true, keeps_sign: false }
+    }
+
+    /// Whether the value is exact.
+    pub(super) fn is_none(&self) -> bool {
+        self.is_known && self.absolute.is_zero()
     }
 
     /// The larger errors of both.
@@ -63,6 +76,7 @@ impl Error {
             relative: self.relative.max(other.relative),
             tiny: self.tiny.max(other.tiny),
             is_known: self.is_known && other.is_known,
+            keeps_sign: self.keeps_sign && other.keeps_sign,
         }
     }
 }
@@ -226,14 +240,21 @@ impl Format {
         Error::new(absolute, relative, Dyadic::ZERO)
     }
 
-    /// What a·b has from a and b: e_a·(|b| + e_b) + e_b·|a|.
-    fn passed_product(&self, a: &Place, of_a: &Error, b: &Place, of_b: &Error) -> Error {
+    /// What a·b has from a and b: e_a·(|b| + e_b) + e_b·|a|, where e_a·|b| is at most r_a·|a·b| too, and so on.
+    fn passed_product(&self, (a, of_a): Operand<'_>, (b, of_b): Operand<'_>, product: &Place) -> Error {
+        let part = |error: &Error, other: &Place| {
+            let part = error.absolute.times(other.largest);
+            match error.relative.is_known() && error.tiny.is_zero() {
+                true => part.min(self.number(error.relative).times(product.largest)),
+                false => part,
+            }
+        };
         let mut absolute = Dyadic::ZERO;
         if !of_a.absolute.is_zero() {
-            absolute = of_a.absolute.times(b.largest.plus(of_b.absolute));
+            absolute = part(of_a, b).plus(of_a.absolute.times(of_b.absolute));
         }
         if !of_b.absolute.is_zero() {
-            absolute = absolute.plus(of_b.absolute.times(a.largest));
+            absolute = absolute.plus(part(of_b, a));
         }
         let mut tiny = Dyadic::ZERO;
         if of_a.tiny.is_positive() {
@@ -285,7 +306,7 @@ impl Format {
         if !of_a.is_known || !of_b.is_known {
             return Error::UNKNOWN;
         }
-        self.rounded(place, self.passed_product(a, of_a, b, of_b), rounds, spread)
+        self.rounded(place, self.passed_product((a, of_a), (b, of_b), place), rounds, spread)
     }
 
     /// The error of a·b + c, whose values are at `place`, and those of a·b at `product`.
@@ -300,7 +321,7 @@ impl Format {
         if !of_a.is_known || !of_b.is_known || !of_c.is_known {
             return Error::UNKNOWN;
         }
-        let passed = self.passed_product(a, of_a, b, of_b);
+        let passed = self.passed_product((a, of_a), (b, of_b), product);
         if !self.fused {
             let first = self.rounded(product, passed, rounds, spread);
             return self.sum((product, &first), (c, of_c), place, spread);
@@ -419,6 +440,12 @@ impl Format {
     /// Whether the sign of x̂ is known to be that of x.
     pub(super) fn is_certain(&self, (x, of_x): Operand<'_>) -> bool {
         of_x.is_known && of_x.absolute.is_below(x.least)
+    }
+
+    /// Whether the sum a + b is 0 or has the right sign: operands that do and whose signs agree, or two floats.
+    pub(super) fn sum_keeps_sign(&self, (a, of_a): Operand<'_>, (b, of_b): Operand<'_>) -> bool {
+        let agree = of_a.keeps_sign && of_b.keeps_sign && a.range.agrees_with(&b.range);
+        agree || of_a.is_none() && of_b.is_none()
     }
 
     /// The exponents of the powers of two that bring the largest of three computed numbers, which is between

@@ -14,6 +14,10 @@
 //! from zero. That it does is proved along the way, and where it is not, there is no bound, but an
 //! [`Unbounded`] with the place.
 //!
+//! A value that is turned by the sign of another one is no number where that one is computed as 0. A bound holds wherever there
+//! is a number: for a unit normal on a domain with singular points, everywhere else. That the sign is the right one is proved
+//! where the other value is not 0, be it as small as it may.
+//!
 //! The bound is above the largest error by what errors that happen to cancel are not seen to: by a factor of 2
 //! to 8 for points and first derivatives of the catalogue, more for curvatures, whose terms share their errors.
 //!
@@ -133,6 +137,8 @@ pub enum Reason {
     Symbol,
     /// A denominator is not known to stay away from 0.
     Denominator,
+    /// A quotient grows beyond all numbers: its denominator is 0 somewhere, and its numerator is not.
+    Pole,
     /// A radicand is not known to stay above 0.
     Radicand,
     /// The sign of an operand that turns another one is not known.
@@ -164,6 +170,7 @@ impl fmt::Display for Unbounded {
             Reason::Symbol => return write!(f, "%{value} is not known before the program is run"),
             Reason::Scale => return write!(f, "%{value} depends on the scale of a direction"),
             Reason::Denominator => write!(f, "the denominator of %{value} may be zero")?,
+            Reason::Pole => write!(f, "%{value} grows beyond all bounds")?,
             Reason::Radicand => write!(f, "the radicand of %{value} may be zero or less")?,
             Reason::Sign => write!(f, "the sign that %{value} takes is not known")?,
             Reason::Direction => write!(f, "the direction that %{value} scales may be zero")?,
@@ -475,7 +482,24 @@ impl<'a> Domain<'a> {
             }
         }
         let place = [ends(&inputs[0]), ends(&inputs[1])];
-        Unbounded { value: self.value(first), reason: self.steps.reason(first), place }
+        let mut reason = self.steps.reason(first);
+        if reason == Reason::Denominator && self.has_pole(first, &inputs) {
+            reason = Reason::Pole;
+        }
+        Unbounded { value: self.value(first), reason, place }
+    }
+
+    /// Whether a quotient has a pole at a corner of a box.
+    fn has_pole(&self, quotient: usize, [u, v]: &[Interval; 2]) -> bool {
+        let corners = [(u.lower, v.lower), (u.lower, v.upper), (u.upper, v.lower), (u.upper, v.upper)];
+        let needed = self.program.needed(&[self.value(quotient)]);
+        corners.into_iter().any(|(u, v)| {
+            let (inputs, mut cells) = ([Interval::point(u), Interval::point(v)], self.cells.clone());
+            for &value in &needed {
+                self.steps.run(value.index(), &inputs, &mut cells);
+            }
+            self.steps.has_pole(quotient, &cells)
+        })
     }
 
     fn value(&self, index: usize) -> Value {

@@ -17,7 +17,8 @@ enum Step {
     Constant,
     Input(Input),
     Add { a: usize, b: usize, minus: bool },
-    Multiply { a: usize, b: usize, rounds: Rounds },
+    /// A component of a unit vector is between −1 and 1.
+    Multiply { a: usize, b: usize, rounds: Rounds, unit: bool },
     Divide { a: usize, b: usize },
     Negate(usize),
     SquareRoot { a: usize, squares: Squares },
@@ -90,6 +91,14 @@ impl Steps {
             None if is_scale(a) || is_scale(b) => Rounds::WhereSubnormal,
             None => Rounds::Product,
         };
+        // Whether `inverse` is 1/√(a² + …).
+        let is_part = |a: usize, inverse: usize| {
+            let Operation::Divide(one, norm) = program.operations()[inverse] else { return false };
+            let Operation::SquareRoot(sum) = *program.operation(norm) else { return false };
+            let squares = Squares::of(program, sum, Squares::MOST).unwrap_or_default();
+            let one = matches!(program.operation(one), Operation::Constant(one) if *one == 1.0);
+            one && squares.parts[..squares.count].contains(&a)
+        };
         let step = |operation: &Operation<f64>| match *operation {
             Operation::Constant(_) => Step::Constant,
             Operation::Input(input) => Step::Input(input),
@@ -97,7 +106,7 @@ impl Steps {
             Operation::Subtract(a, b) => Step::Add { a: a.index(), b: b.index(), minus: true },
             Operation::Multiply(a, b) => {
                 let (a, b) = (a.index(), b.index());
-                Step::Multiply { a, b, rounds: rounds(a, b) }
+                Step::Multiply { a, b, rounds: rounds(a, b), unit: is_part(a, b) || is_part(b, a) }
             }
             Operation::Divide(a, b) => Step::Divide { a: a.index(), b: b.index() },
             Operation::Negate(a) => Step::Negate(a.index()),
@@ -180,7 +189,11 @@ impl Steps {
         let mut k = 0;
         while k < self.formats.len() {
             let error = self.error(step, value, k, cells, &place, &product, spread);
-            cells.set_error(value, k, error.unwrap_or(Error::UNKNOWN));
+            let mut error = error.unwrap_or(Error::UNKNOWN);
+            error.keeps_sign = error.is_known
+                && (self.keeps_sign(step, k, cells, &product)
+                    || self.formats[k].is_certain((&place, &error)));
+            cells.set_error(value, k, error);
             k += 1;
         }
     }
@@ -210,7 +223,7 @@ impl Steps {
                     format.sum(left, (b, right), place, spread)
                 }
             }
-            Step::Multiply { a, b, rounds } => {
+            Step::Multiply { a, b, rounds, .. } => {
                 let (left, right) =
                     ((cells.place(a)?, cells.error(a, k)), (cells.place(b)?, cells.error(b, k)));
                 format.product(left, right, place, rounds, spread)
@@ -238,11 +251,36 @@ impl Steps {
                 ];
                 format.product_and_sum(operands, product, place, rounds, spread)
             }
-            Step::Orient { a, b } => match format.is_certain((cells.place(b)?, cells.error(b, k))) {
+            // Where b̂ is 0 there is no number.
+            Step::Orient { a, b } => match cells.error(b, k).keeps_sign {
                 true => *cells.error(a, k),
                 false => Error::UNKNOWN,
             },
         })
+    }
+
+    /// Whether the computed value of a step is 0 or has the sign of the exact one, as its operands show; `product` is that of a
+    /// product that is added.
+    fn keeps_sign(&self, step: Step, k: usize, cells: &Cells, product: &Place) -> bool {
+        let format = &self.formats[k];
+        let of = |value: usize| cells.error(value, k).keeps_sign;
+        match step {
+            // Rounding, and underflow of a product, change no sign.
+            Step::Constant | Step::Input(_) | Step::Scale(_) | Step::SquareRoot { .. } => true,
+            Step::Negate(a) => of(a),
+            Step::Multiply { a, b, .. } | Step::Divide { a, b } | Step::Orient { a, b } => of(a) && of(b),
+            Step::Add { a, b, minus } => match (cells.place(a), cells.place(b)) {
+                (Some(first), Some(second)) => {
+                    let second = if minus { second.negated() } else { *second };
+                    format.sum_keeps_sign((first, cells.error(a, k)), (&second, cells.error(b, k)))
+                }
+                _ => false,
+            },
+            Step::MultiplyAdd { a, b, c, .. } => cells.place(c).is_some_and(|third| {
+                let of_product = Error { keeps_sign: of(a) && of(b), ..Error::UNKNOWN };
+                format.sum_keeps_sign((product, &of_product), (third, cells.error(c, k)))
+            }),
+        }
     }
 
     /// A scale counts as 1; its spread is what it may be in any of the formats.
@@ -286,15 +324,23 @@ impl Steps {
             Step::Input(Input::Symbol(_)) => return None,
             Step::Add { a, b, minus: false } => cells.place(a)?.plus(cells.place(b)?),
             Step::Add { a, b, minus: true } => cells.place(a)?.plus(&cells.place(b)?.negated()),
-            Step::Multiply { a, b, .. } => self.product(a, b, cells)?,
+            Step::Multiply { a, b, unit, .. } => {
+                let product = self.product(a, b, cells)?;
+                let whole = Interval { lower: -Dyadic::ONE, upper: Dyadic::ONE };
+                if unit { Place::new(&product.range.meet(&whole), product.affine) } else { product }
+            }
             Step::Divide { a, b } => cells.place(a)?.over(cells.place(b)?)?,
             Step::Negate(a) => return Some(cells.place(a)?.negated()),
             Step::SquareRoot { a, .. } => cells.place(a)?.root()?,
             Step::MultiplyAdd { a, b, c, .. } => self.product(a, b, cells)?.plus(cells.place(c)?),
             Step::Orient { a, b } => match cells.place(b)?.range {
-                by if by.lower.is_positive() => return cells.place(a).copied(),
-                by if by.upper.is_negative() => return Some(cells.place(a)?.negated()),
-                _ => return None,
+                // Where b is 0 there is no number.
+                by if by.is_nonnegative() => return cells.place(a).copied(),
+                by if by.is_nonpositive() => return Some(cells.place(a)?.negated()),
+                _ => {
+                    let range = cells.place(a)?.range;
+                    return Some(Place::of(&range.hull(&range.negated())));
+                }
             },
             Step::Scale(_) => Place::of(&Interval::point(Dyadic::ONE)),
         };
@@ -312,6 +358,13 @@ impl Steps {
                 (ends.0.min(ends.1), ends.0.max(ends.1))
             }
         }
+    }
+
+    /// Whether `value` is a quotient whose denominator is 0 at a point, and whose numerator is not.
+    pub(super) fn has_pole(&self, value: usize, cells: &Cells) -> bool {
+        let Step::Divide { a, b } = self.steps[value] else { return false };
+        let (Some(a), Some(b)) = (cells.place(a), cells.place(b)) else { return false };
+        b.largest.is_zero() && a.least.is_positive()
     }
 
     /// Why `value` has no bound, although its operands have.

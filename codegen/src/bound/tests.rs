@@ -12,7 +12,9 @@ use super::{Misaligned, Precision, Proof, Reason, Rounding, ValueBound, prove};
 use crate::compile::exact_program;
 use crate::language::parse_text;
 use crate::meaning::models;
-use crate::program::{Arithmetic, Constant, Floats, Input, Interpreter, Program, Value, Variant};
+use crate::program::{
+    Arithmetic, Constant, Floats, Input, Interpreter, Operation, Program, Value, Variant, interpret,
+};
 use crate::round::{exact, nearest, round};
 use crate::schedule::outputs;
 
@@ -254,8 +256,23 @@ impl Subject {
         let bounds = self.rounded.outputs().iter().flat_map(|output| proof.output(&output.name));
         bounds.zip(self.errors(proof.rounding, point)).all(|(bound, error)| match (bound, error) {
             (Err(_), _) => true,
-            (Ok(_), None) => false,
+            (Ok(_), None) => self.turns_by_zero(proof.rounding, point),
             (Ok(bound), Some(error)) => is_within(bound, &error),
+        })
+    }
+}
+
+impl Subject {
+    /// Whether something is turned by what is computed as 0, so that it is no number.
+    fn turns_by_zero(&self, rounding: Rounding, [u, v]: [f64; 2]) -> bool {
+        let floats = Floats { u, v, symbols: &[], variant: rounding.variant };
+        let singles = Singles { u: u as f32, v: v as f32, variant: rounding.variant };
+        self.rounded.operations().iter().any(|operation| {
+            let Operation::Orient(_, by) = *operation else { return false };
+            match rounding.precision {
+                Precision::Double => interpret(&self.rounded, &[by], &floats) == Ok(vec![0.0]),
+                Precision::Single => interpret(&self.rounded, &[by], &singles) == Ok(vec![0.0]),
+            }
         })
     }
 }
@@ -562,12 +579,27 @@ fn what_has_no_bound_says_where() {
     assert_eq!(reason(&root).0, Reason::Radicand);
     let turned = subject(
         |program, u, v| {
-            let difference = program.subtract(u, v);
+            let (third, difference) = (number(program, 1, 3), program.subtract(u, v));
+            let difference = program.subtract(difference, third);
             vec![program.orient(u, difference)]
         },
         domain(),
     );
     assert_eq!(reason(&turned).0, Reason::Sign);
+    // 1/(u·(1 − v)) grows at an edge; (1 − v)/(u·(1 − v)) does not, but is 0/0 there.
+    for (numerator, expected) in [(false, Reason::Pole), (true, Reason::Denominator)] {
+        let grows = subject(
+            |program, u, v| {
+                let one = number(program, 1, 1);
+                let rest = program.subtract(one, v);
+                let product = program.multiply(u, rest);
+                vec![program.divide(if numerator { rest } else { one }, product)]
+            },
+            [[ratio(1, 3), integer(1)], [integer(0), integer(1)]],
+        );
+        let found = reason(&grows);
+        assert_eq!(found.0, expected, "{}", found.2);
+    }
     // A scale alone depends on its power of two.
     let scaled = subject(
         |program, u, v| {
@@ -589,6 +621,56 @@ fn what_has_no_bound_says_where() {
         [[integer(1), integer(1024)], [integer(0), integer(1)]],
     );
     assert_eq!(reason(&large).0, Reason::Overflow);
+}
+
+/// A value with the sign of another one has a bound where that one is 0 or has the right sign: at all other points.
+#[test]
+fn signs_of_differences_are_right() {
+    let turned = |build: fn(&mut Program<Poly>, Value, Value) -> Value| {
+        let build = |program: &mut Program<Poly>, u: Value, v: Value| {
+            let by = build(program, u, v);
+            vec![program.orient(u, by)]
+        };
+        subject(build, unit_square())
+    };
+    // u − v; (1 − u)·(1 + u)·v; (1 − u)·v³ + v·u/3, whose first term may underflow.
+    let differences = turned(|program, u, v| program.subtract(u, v));
+    let products = turned(|program, u, v| {
+        let one = number(program, 1, 1);
+        let (less, more) = (program.subtract(one, u), program.add(one, u));
+        let product = program.multiply(less, more);
+        program.multiply(product, v)
+    });
+    let sums = turned(|program, u, v| {
+        let (one, third) = (number(program, 1, 1), number(program, 1, 3));
+        let (rest, square, part) =
+            (program.subtract(one, u), program.multiply(v, v), program.multiply(u, third));
+        let (cube, product) = (program.multiply(square, v), program.multiply(part, v));
+        program.multiply_add(cube, rest, product)
+    });
+    let below = 1.0 - 2.0_f64.powi(-24);
+    for subject in [differences, products, sums] {
+        for proof in subject.prove() {
+            assert_eq!(proof.output("results")[0].unwrap().error, 0.0);
+            for at in [
+                [below, 1.0],
+                [1.0, below],
+                [below, 1e-40],
+                [1.0, 1e-44],
+                [0.5, 0.5],
+                [1.0, 1.0],
+                [0.0, 1e-20],
+            ] {
+                assert!(subject.holds_at(&proof, at), "{at:?}");
+            }
+        }
+    }
+    // 1 − u² is rounded to 0 where it is not 0.
+    let rounded = turned(|program, u, _| {
+        let (one, square) = (number(program, 1, 1), program.multiply(u, u));
+        program.subtract(one, square)
+    });
+    assert!(rounded.prove().iter().all(|proof| proof.output("results")[0].is_err()));
 }
 
 #[test]

@@ -25,6 +25,9 @@ const LEAST_WORK: usize = 50;
 /// How many of these are for absolute errors.
 const WORK_FOR_ABSOLUTE: usize = 40_000;
 
+/// How many more are for boxes where a result has no bound yet.
+const WORK_FOR_BOUNDS: usize = 300_000;
+
 /// A maximum counts as found when halving its box makes it smaller by less than the part 2^-GAIN.
 const GAIN: i32 = 5;
 
@@ -103,32 +106,46 @@ impl Tiles<'_, '_> {
         self.collected(&tiles)
     }
 
-    /// Divides the tiles of the largest errors of each result in turn, until all are known well or `work` is
-    /// done up to `most`.
+    /// Divides the tiles of the largest errors, those first of the results that gain most from it, until all are known well or
+    /// `work` is done up to `most`.
     fn divide(&mut self, tiles: &mut Vec<Tile>, aim: Aim, work: &mut usize, most: usize) {
-        let mut aims: Vec<usize> = (0..self.results.len()).collect();
-        while !aims.is_empty() && *work < most {
-            let mut left = Vec::new();
-            for result in aims {
-                let Some(worst) = Self::to_divide(tiles, result, aim) else { continue };
-                let vanishes = aim == Aim::Relative && tiles[worst].sizes[result][1].is_none();
-                if vanishes && changes_sign(tiles, result) {
+        // By which factor the last division made the largest error of each result smaller; unknown before.
+        let mut aims: Vec<(usize, Size)> = (0..self.results.len()).map(|result| (result, None)).collect();
+        loop {
+            let mut next: Option<(usize, usize)> = None;
+            for place in (0..aims.len()).rev() {
+                let (result, gain) = aims[place];
+                let worst = Self::to_divide(tiles, result, aim);
+                let none = worst.filter(|&worst| tiles[worst].sizes[result][aim as usize].is_none());
+                let hopeless = aim == Aim::Relative && none.is_some() && changes_sign(tiles, result);
+                let extra = if none.is_some() && aim == Aim::Absolute { WORK_FOR_BOUNDS } else { 0 };
+                let Some(worst) = worst.filter(|_| !hopeless && *work < most + extra) else {
+                    aims.remove(place);
+                    next = next.map(|(other, worst)| (other - 1, worst));
                     continue;
-                }
-                left.push(result);
-                if *work >= most {
-                    continue;
-                }
-                tiles[worst].divided = true;
-                for u in halves(tiles[worst].u) {
-                    for v in halves(tiles[worst].v) {
-                        *work += self.order.len().max(LEAST_WORK);
-                        let tile = self.on(u, v, Some(worst));
-                        tiles.push(tile);
-                    }
+                };
+                if next.is_none_or(|(other, _)| !is_larger(&aims[other].1, &gain)) {
+                    next = Some((place, worst));
                 }
             }
-            aims = left;
+            let Some((place, worst)) = next else { return };
+            let result = aims[place].0;
+            tiles[worst].divided = true;
+            let first = tiles.len();
+            for u in halves(tiles[worst].u) {
+                for v in halves(tiles[worst].v) {
+                    *work += self.order.len().max(LEAST_WORK);
+                    let tile = self.on(u, v, Some(worst));
+                    tiles.push(tile);
+                }
+            }
+            let size = |tile: &Tile| tile.sizes[result][aim as usize];
+            let after = tiles[first..].iter().map(size).reduce(|a, b| if is_larger(&b, &a) { b } else { a });
+            aims[place].1 = match (size(&tiles[worst]), after.flatten()) {
+                (Some(before), Some(after)) if after.is_positive() => Some(before.over(after)),
+                (Some(_), Some(_)) => Some(Dyadic::ZERO),
+                _ => None,
+            };
         }
     }
 

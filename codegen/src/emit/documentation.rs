@@ -88,6 +88,7 @@ fn words(name: &str) -> String {
 fn place(failure: &Unbounded) -> String {
     let [[u0, u1], [v0, v1]] = failure.place;
     let why = match failure.reason {
+        Reason::Pole => "it is computed from a quotient that grows beyond all bounds",
         Reason::Denominator => "a denominator is not proved to stay away from zero",
         Reason::Radicand => "a radicand is not proved to stay above zero",
         Reason::Sign => "the sign of a factor is not proved",
@@ -103,15 +104,42 @@ fn bounds(proofs: &Proofs) -> Vec<String> {
     let number = |number: f64| if number.is_finite() { format!("{number:e}") } else { "–".to_string() };
     let mut lines = vec![
         String::new(),
-        "| error at most | `f64` plain | fused | `f32` plain | fused | size at least | relative, `f64` plain |".to_string(),
-        "| --- | --- | --- | --- | --- | --- | --- |".to_string(),
+        "| error at most | `f64` plain | fused | `f32` plain | fused | size from | to | each, `f64` plain | relative |"
+            .to_string(),
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |".to_string(),
     ];
+    let (mut is_vacuous, mut underflows) = (false, false);
     for bound in proofs.bounds.iter().filter(|bound| bound.errors.iter().any(|error| error.is_finite())) {
-        let errors = bound.errors.map(number).join(" | ");
-        let relative: Vec<String> =
-            bound.relative_errors_of_results.iter().map(|&error| number(error)).collect();
-        let (name, relative) = (words(bound.name), relative.join(", "));
-        lines.push(format!("| {name} | {errors} | {} | {relative} |", number(bound.size)));
+        let errors = bound.errors.map(|error| {
+            let vacuous = error > 0.0 && error.is_finite() && error >= bound.most;
+            is_vacuous |= vacuous;
+            if vacuous { format!("({})", number(error)) } else { number(error) }
+        });
+        let each: Vec<String> = bound.results.iter().map(|result| number(result.errors[0])).collect();
+        let relative = bound.results.iter().map(|result| {
+            let star = if result.underflow > 0.0 { "*" } else { "" };
+            underflows |= result.underflow > 0.0;
+            format!("{}{star}", number(result.relative_error))
+        });
+        let relative: Vec<String> = relative.collect();
+        lines.push(format!(
+            "| {} | {} | {} | {} | {} | {} |",
+            words(bound.name),
+            errors.join(" | "),
+            number(bound.size),
+            number(bound.most),
+            each.join(", "),
+            relative.join(", ")
+        ));
+    }
+    if is_vacuous || underflows {
+        lines.push(String::new());
+    }
+    if is_vacuous {
+        lines.push("In parentheses: no less than the size, so that 0 is as near.".to_string());
+    }
+    if underflows {
+        lines.push("A star: but for what numbers lose that underflow.".to_string());
     }
     lines
 }

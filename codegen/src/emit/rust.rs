@@ -10,6 +10,7 @@ use super::stages;
 use super::{Artifact, documentation};
 use crate::offset::OffsetPatch;
 use crate::proofs::Proofs;
+use crate::schedule::outputs;
 
 /// The documented module `pub mod name { … }` of a surface, over the runtime at the path `runtime`.
 ///
@@ -151,9 +152,19 @@ pub(super) fn bounds_value(proofs: &Proofs, runtime: &TokenStream) -> TokenStrea
     let fields = proofs.bounds.iter().map(|bound| {
         let name = Ident::new(bound.name, Span::call_site());
         let (errors, relative) = (bound.errors.map(number), bound.relative_errors.map(number));
-        let size = literal(bound.size);
+        let (size, most) = (literal(bound.size), number(bound.most));
+        let coordinates = (bound.name == outputs::POINT).then(|| {
+            let each = bound.results.iter().map(|result| {
+                let errors = result.errors.map(number);
+                quote! { [#(#errors),*] }
+            });
+            quote! { , coordinates: [#(#each),*] }
+        });
         quote! {
-            #name: #runtime::Bound { errors: [#(#errors),*], relative_errors: [#(#relative),*], size: #size }
+            #name: #runtime::Bound {
+                errors: [#(#errors),*], relative_errors: [#(#relative),*], size: #size, most: #most
+            }
+            #coordinates
         }
     });
     quote! { #runtime::Bounds { #(#fields),* } }

@@ -47,11 +47,16 @@ pub(super) fn point(builder: &mut Builder<'_>, homogeneous: &[Poly; 4]) -> Optio
     Some(point)
 }
 
-/// A factor of the weight, which depends on one parameter.
-fn factor(builder: &mut Builder<'_>, poly: &Poly) -> Option<Value> {
+/// A polynomial in the Bernstein basis of the domain, if its coefficients have one sign.
+pub(super) fn of_one_sign(builder: &mut Builder<'_>, poly: &Poly) -> Option<Value> {
     let Parameters { u, v } = builder.parameters;
     let net = net(builder, poly, [poly.degree(u)?, poly.degree(v)?])?;
-    if has_one_sign(&net)? { coordinate(builder, poly, [0, 0]) } else { Some(builder.polynomial(poly)) }
+    has_one_sign(&net)?.then(|| coordinate(builder, poly, [0, 0]))?
+}
+
+/// A factor of the weight, which depends on one parameter.
+fn factor(builder: &mut Builder<'_>, poly: &Poly) -> Option<Value> {
+    of_one_sign(builder, poly).or_else(|| Some(builder.polynomial(poly)))
 }
 
 /// A coordinate in the Bernstein basis, of its own degrees or of those of the patch.

@@ -6,6 +6,7 @@ use hodograph_algebra::{Poly, Variable, budget};
 
 use super::differentiate::Derivatives;
 use super::normal::{self, Parts};
+use super::weingarten::Base;
 use super::{Derived, curvature, outputs};
 use crate::program::{Arithmetic, Fault, Input, Interpreter, Program, Stage, Value, verify};
 
@@ -150,6 +151,7 @@ impl std::error::Error for Mismatch {}
 /// - The unit normal N/ρ is identical with what was derived; where there is no root ρ, it consists of the operations of the
 ///   unit vector of a direction that is identical with the derived one or is the vector product of the first derivatives. Where
 ///   it is turned to one side, the value whose sign decides is identical with the derived factor.
+/// - The derivatives of N/ρ or N, and the factor by which R_u × R_v is that, are identical with what was derived.
 /// - The forms, curvatures, speeds and derivatives of the normal are the operations of their formulas on those values.
 ///
 /// Constants are exact, so this proves the program before its constants are rounded; rounding then changes constants
@@ -202,11 +204,55 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
             check_values(derivatives.numbers(), output, found, &expected)
         })?;
     }
-    let mut copy = program.clone();
-    for (output, values) in curvature::of_patch(&mut copy) {
-        same(output, program.results(output), &values)?;
+    check_directions(&mut derivatives, derived)?;
+    let compared = Base::ALL.map(|base| {
+        let mut copy = program.clone();
+        let values = curvature::of_patch(&mut copy, base);
+        values.iter().try_for_each(|(output, values)| same(output, program.results(output), values))
+    });
+    let [first, second] = compared;
+    first.or(second)
+}
+
+/// Proves the derivatives of what the unit normal is made of, and the factor of R_u × R_v.
+fn check_directions(derivatives: &mut Derivatives<'_>, derived: &Derived<'_>) -> Result<(), Mismatch> {
+    let program = derivatives.numbers().program();
+    let stages = [Stage::U, Stage::V];
+    let outputs = [outputs::DIRECTION_U, outputs::DIRECTION_V];
+    let found = outputs.map(|output| program.results(output));
+    if found.iter().all(|found| found.is_empty()) {
+        return Ok(());
     }
-    Ok(())
+    let (Some(normal), Some(Parts { turned, .. })) = (derived.normal, normal::parts(program)) else {
+        return Err(Mismatch::Missing(outputs[0].to_string()));
+    };
+    for (((output, found), parameter), stage) in
+        outputs.into_iter().zip(found).zip(derived.parameters).zip(stages)
+    {
+        doing(output, || {
+            if derived.normal_root.is_some() && found.len() == turned.len() {
+                let mut pairs = found.iter().zip(&turned);
+                if pairs.all(|(&slope, &value)| derivatives.proves(slope, value, (parameter, stage))) {
+                    return Ok(());
+                }
+            }
+            let slope = |n: &Poly| match derived.normal_root {
+                Some(root) => (n.derivative(parameter) * root - n * root.derivative(parameter), root * root),
+                None => (n.derivative(parameter), Poly::one()),
+            };
+            check_values(derivatives.numbers(), output, found, &normal.each_ref().map(slope))
+        })?;
+    }
+    let output = outputs::AREA_FACTOR;
+    let found = program.results(output);
+    if found.is_empty() {
+        return Ok(());
+    }
+    let Some(factor) = normal::area_factor(derived) else {
+        return Err(Mismatch::Missing(output.to_string()));
+    };
+    let expected = [(factor.numerator().clone(), factor.denominator())];
+    doing(output, || check_values(derivatives.numbers(), output, found, &expected))
 }
 
 /// The fractions p/d.

@@ -8,109 +8,152 @@
 //! ```
 //!
 //! The textbook's K = (LN − M²)/(EG − F²) cancels in both differences. Here the shape operator is written in the
-//! orthonormal basis e₁ = R_u/√E, e₂ = n × e₁ of the tangent plane instead. With the area ‖R_u × R_v‖ = (n × R_u)·R_v
-//! the derivative by v is R_v = (F·e₁ + area·e₂)/√E, so that e₂ = (√E/area)·(R_v − (F/E)·R_u) and the second
-//! fundamental form has the matrix
+//! orthonormal basis e₁ = R_u/√E, e₂ = n × e₁ of the tangent plane instead, or in that of R_v. Its matrix
 //!
 //! ```text
-//! ( a  b )    a = II(e₁, e₁) = L/E,        b = II(e₁, e₂) = m/area with m = M − F·a,
-//! ( b  c )    c = II(e₂, e₂) = (E·N − F·(M + m))/area².
+//! ( a  b )
+//! ( b  c )
 //! ```
 //!
-//! Its invariants are the mean curvature H = (a + c)/2, the Gaussian curvature K = a·c − b², and the principal curvatures
-//! H ± √(((a − c)/2)² + b²), whose radicand is a sum of squares and so never negative. Curvatures are positive where the
-//! surface bends to the side of n: the unit sphere with the normal outwards has a = c = −1.
+//! follows from the derivatives of the normal (`weingarten.rs`), with L = −n_u·R_u and so on; where these are not scheduled, as
+//! for families of surfaces, from second derivatives. Its invariants are the mean curvature H = (a + c)/2, the Gaussian curvature
+//! K = a·c − b², and the principal curvatures H ± √(((a − c)/2)² + b²), whose radicand is a sum of squares and so never negative.
+//! Curvatures are positive where the surface bends to the side of n: the unit sphere with the normal outwards has a = c = −1.
 //!
-//! The matrix is that of −dn (Weingarten; do Carmo §3-2 and §3-3): dn(e₁) = −(a·e₁ + b·e₂), dn(e₂) = −(b·e₁ + c·e₂).
-//! Hence
+//! From second derivatives: with the area ‖R_u × R_v‖ = (n × R_u)·R_v the derivative by v is R_v = (F·e₁ + area·e₂)/√E, so that
+//! e₂ = (√E/area)·(R_v − (F/E)·R_u), and
+//!
+//! ```text
+//! a = II(e₁, e₁) = L/E,   b = II(e₁, e₂) = m/area with m = M − F·a,   c = II(e₂, e₂) = (E·N − F·(M + m))/area².
+//! ```
+//!
+//! The matrix is that of −dn: dn(e₁) = −(a·e₁ + b·e₂), dn(e₂) = −(b·e₁ + c·e₂). Hence
 //!
 //! ```text
 //! n_u = √E·dn(e₁) = −(a·R_u + b·(n × R_u)),
 //! n_v = (F·dn(e₁) + area·dn(e₂))/√E = (F/E)·n_u − (area/E)·(b·R_u + c·(n × R_u)).
 //! ```
 //!
-//! All that is divided is divided by E and by the area, once each. Both are positive where the surface is regular.
-//!
 //! Many sweeps are parametrized by lines of curvature, F = M = 0 (do Carmo, §3-3). Where that is an identity
 //! (`vanish.rs`), the shape operator is diagonal in the basis R_u, R_v itself: a = L/E, b = 0, c = N/G, n_u = −a·R_u
-//! and n_v = −c·R_v.
+//! and n_v = −c·R_v. Where a = c besides, as on planes and spheres, both principal curvatures are H.
 
 use hodograph_algebra::{Poly, ratio};
 
+use super::normal::{self, turned};
 use super::vanish::is_zero_identically;
 use super::vector::{cross, dot, is_zero, sum_of};
+use super::weingarten::{Base, Direction};
 use super::{OutputValues, outputs};
 use crate::program::{Program, Value};
 
-/// The outputs that follow from the derivatives and the unit normal of a program.
+/// The outputs that follow from the derivatives and the unit normal of a program, with its derivatives if it has them.
 ///
 /// That they are right follows from the formulas above once those are proved, so a proof compares them with what this
 /// function makes of a copy of the program.
-pub(super) fn of_patch(program: &mut Program<Poly>) -> Vec<OutputValues> {
-    let results = |name| program.results(name).to_vec();
-    let [of_u, of_v] = [outputs::PARTIAL_U, outputs::PARTIAL_V].map(results);
-    let [of_uu, of_uv, of_vv] = [outputs::PARTIAL_UU, outputs::PARTIAL_UV, outputs::PARTIAL_VV].map(results);
-    let normal = results(outputs::UNIT_NORMAL);
-
-    let e = dot(program, &of_u, &of_u);
-    let f = dot_or_zero(program, &of_u, &of_v);
-    let g = dot(program, &of_v, &of_v);
-    let l = dot(program, &normal, &of_uu);
-    let m = dot_or_zero(program, &normal, &of_uv);
-    let n = dot(program, &normal, &of_vv);
-    let speeds = vec![program.square_root(e), program.square_root(g)];
-    let forms = Forms { e, f, g, l, m, n };
-    let Shape { a, b, c, normal_u, normal_v } = if is_zero(program, f) && is_zero(program, m) {
-        diagonal(program, &forms, &of_u, &of_v)
+pub(super) fn of_patch(program: &mut Program<Poly>, base: Base) -> Vec<OutputValues> {
+    let (forms, shape, side);
+    if let Some(direction) = Direction::of(program, base) {
+        side = normal::parts(program).and_then(|parts| parts.side);
+        forms = direction.forms(program);
+        shape = direction.shape(program, &forms, side.is_none());
     } else {
-        general(program, &forms, &of_u, &of_v)
-    };
+        side = None;
+        forms = forms_of_patch(program);
+        shape = shape_of_patch(program, &forms);
+    }
+    let Forms { e, f, g, l, m, n } = forms;
+    let Shape { a, b, c, normal_u, normal_v } = shape;
+    let speeds = vec![program.square_root(e), program.square_root(g)];
 
     let half = program.constant(Poly::constant(ratio(1, 2)));
     let sum = program.add(a, c);
     let mean = program.multiply(half, sum);
+    let mean = turned(program, &[mean], side)[0];
     let gaussian = sum_of(program, &[(a, c, false), (b, b, true)]);
     let difference = program.subtract(a, c);
-    let difference = program.multiply(half, difference);
+    let difference = match is_zero_identically(program, difference) {
+        true => program.constant(Poly::zero()),
+        false => program.multiply(half, difference),
+    };
     let radicand = sum_of(program, &[(difference, difference, false), (b, b, false)]);
-    let root = program.square_root(radicand);
+    let root = if is_zero(program, radicand) { radicand } else { program.square_root(radicand) };
     let principal = vec![program.add(mean, root), program.subtract(mean, root)];
 
     vec![
         (outputs::FIRST_FORM, vec![e, f, g]),
-        (outputs::SECOND_FORM, vec![l, m, n]),
+        (outputs::SECOND_FORM, turned(program, &[l, m, n], side)),
         (outputs::GAUSSIAN, vec![gaussian]),
         (outputs::MEAN, vec![mean]),
         (outputs::PRINCIPAL, principal),
         (outputs::SPEEDS, speeds),
-        (outputs::NORMAL_U, normal_u),
-        (outputs::NORMAL_V, normal_v),
+        (outputs::NORMAL_U, turned(program, &normal_u, side)),
+        (outputs::NORMAL_V, turned(program, &normal_v, side)),
     ]
 }
 
-/// a·b, or the constant 0 if that is an identity.
-fn dot_or_zero(program: &mut Program<Poly>, a: &[Value], b: &[Value]) -> Value {
-    let product = dot(program, a, b);
+/// Whether F = M = 0 identically, so that the area is not needed where it has no zeros.
+pub(super) fn is_diagonal(program: &mut Program<Poly>, base: Base) -> bool {
+    Direction::of(program, base).is_some_and(|direction| direction.forms(program).is_diagonal(program))
+}
+
+/// a·b or −a·b, or the constant 0 if that is an identity.
+pub(super) fn dot_or_zero(program: &mut Program<Poly>, a: &[Value], b: &[Value], minus: bool) -> Value {
+    let products: Vec<(Value, Value, bool)> = a.iter().zip(b).map(|(&a, &b)| (a, b, minus)).collect();
+    let product = sum_of(program, &products);
     if is_zero_identically(program, product) { program.constant(Poly::zero()) } else { product }
 }
 
 /// The coefficients of both fundamental forms.
-struct Forms {
-    e: Value,
-    f: Value,
-    g: Value,
-    l: Value,
-    m: Value,
-    n: Value,
+pub(super) struct Forms {
+    pub(super) e: Value,
+    pub(super) f: Value,
+    pub(super) g: Value,
+    pub(super) l: Value,
+    pub(super) m: Value,
+    pub(super) n: Value,
+}
+
+impl Forms {
+    /// Whether F = M = 0.
+    pub(super) fn is_diagonal(&self, program: &Program<Poly>) -> bool {
+        is_zero(program, self.f) && is_zero(program, self.m)
+    }
 }
 
 /// The matrix of the shape operator in an orthonormal basis, and the derivatives of the normal.
-struct Shape {
-    a: Value,
-    b: Value,
-    c: Value,
-    normal_u: Vec<Value>,
-    normal_v: Vec<Value>,
+pub(super) struct Shape {
+    pub(super) a: Value,
+    pub(super) b: Value,
+    pub(super) c: Value,
+    pub(super) normal_u: Vec<Value>,
+    pub(super) normal_v: Vec<Value>,
+}
+
+/// Both forms from second derivatives.
+fn forms_of_patch(program: &mut Program<Poly>) -> Forms {
+    let results = |name| program.results(name).to_vec();
+    let [of_u, of_v] = [outputs::PARTIAL_U, outputs::PARTIAL_V].map(results);
+    let [of_uu, of_uv, of_vv] = [outputs::PARTIAL_UU, outputs::PARTIAL_UV, outputs::PARTIAL_VV].map(results);
+    let normal = results(outputs::UNIT_NORMAL);
+    let e = dot(program, &of_u, &of_u);
+    let f = dot_or_zero(program, &of_u, &of_v, false);
+    let g = dot(program, &of_v, &of_v);
+    let l = dot(program, &normal, &of_uu);
+    let m = dot_or_zero(program, &normal, &of_uv, false);
+    let n = dot(program, &normal, &of_vv);
+    Forms { e, f, g, l, m, n }
+}
+
+/// The shape operator from second derivatives.
+fn shape_of_patch(program: &mut Program<Poly>, forms: &Forms) -> Shape {
+    let results = |name| program.results(name).to_vec();
+    let [of_u, of_v] = [outputs::PARTIAL_U, outputs::PARTIAL_V].map(results);
+    if forms.is_diagonal(program) {
+        diagonal(program, forms, &of_u, &of_v)
+    } else {
+        general(program, forms, &of_u, &of_v)
+    }
 }
 
 /// For F = M = 0.

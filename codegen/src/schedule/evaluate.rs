@@ -135,7 +135,7 @@ impl Builder<'_> {
     }
 
     /// `base` to a positive power, by squaring.
-    fn power(&mut self, base: Value, exponent: usize) -> Value {
+    pub(super) fn power(&mut self, base: Value, exponent: usize) -> Value {
         if exponent <= 1 {
             return base;
         }

@@ -13,7 +13,8 @@
 //!    divided by W at each point (`inseparable.rs`).
 //! 3. Polynomials of one parameter are evaluated once, as products of others (`univariate.rs`), or by the scheme that the
 //!    [`Preference`] asks for (`forms.rs`, `evaluate.rs`); the accurate point is a sum without cancellation (`accurate.rs`).
-//! 4. Unit normal (`normal.rs`), forms and curvatures (`curvature.rs`) are computed from the derivatives.
+//! 4. Unit normal (`normal.rs`), forms and curvatures (`curvature.rs`) are computed from the derivatives of the point and of the
+//!    normal (`weingarten.rs`); what decides on a sign is computed without cancellation (`sign.rs`).
 //!
 //! Coefficients may have symbols besides (`families.rs`, `symbols.rs`): what depends on them alone is a stage of its own.
 //!
@@ -34,16 +35,18 @@ mod linear;
 mod normal;
 mod quotient;
 mod separate;
+mod sign;
 mod slope;
 mod surface;
 mod symbols;
 mod univariate;
 mod vanish;
 mod vector;
+mod weingarten;
 
 use std::fmt;
 
-use hodograph_algebra::{Poly, Rational, Variable};
+use hodograph_algebra::{BoxSign, Fraction, Interval, Poly, Rational, Variable, budget};
 
 pub use check::{Fractions, Mismatch, check};
 pub use forms::Preference;
@@ -52,6 +55,7 @@ use crate::program::{Program, Value};
 use separate::Parameters;
 use surface::Form;
 use univariate::Builder;
+use weingarten::Base;
 
 /// An output with its values.
 type OutputValues = (&'static str, Vec<Value>);
@@ -70,6 +74,8 @@ pub struct Derived<'a> {
     pub normal_root: Option<&'a Poly>,
     /// The common factor of R_u × R_v, where the surface has zeros of it on its domain.
     pub singular: Option<&'a Poly>,
+    /// The rational function by which R_u × R_v is the numerators of the normal, if it is known.
+    pub factor: Option<&'a Fraction>,
     /// Names for polynomials of one parameter that may occur, such as σ. Names are ASCII identifiers.
     pub known: &'a [(String, Poly)],
     /// First and last value of u, then of v.
@@ -127,6 +133,13 @@ pub mod outputs {
     pub const NORMAL_U: &str = "normal_u";
     /// n_v.
     pub const NORMAL_V: &str = "normal_v";
+    /// The derivative by u of what the unit normal is made of: of N/ρ where N·N has the root ρ, else of N. Not for families.
+    pub const DIRECTION_U: &str = "direction_u";
+    /// The same by v.
+    pub const DIRECTION_V: &str = "direction_v";
+    /// The rational function by which R_u × R_v is that which is differentiated: the signed area element where it is N/ρ.
+    /// It is there if curvatures are computed with it.
+    pub const AREA_FACTOR: &str = "area_factor";
     /// Polynomials of one parameter that are positive on the domain where the symbols have values that are allowed.
     pub const CONDITIONS: &str = "conditions";
 }
@@ -169,6 +182,7 @@ impl std::error::Error for ScheduleError {}
 ///     normal: Some(&[-&y, -&x, Poly::one()]),
 ///     normal_root: None,
 ///     singular: None,
+///     factor: None,
 ///     known: &[],
 ///     domain: &[[integer(0), integer(1)], [integer(0), integer(1)]],
 ///     conditions: &[],
@@ -210,8 +224,12 @@ pub fn schedule_preferring(
     if let Some(point) = accurate {
         builder.program.output(outputs::ACCURATE_POINT, point);
     }
-    normal::schedule(&mut builder, derived, &preferred);
-    for (name, values) in curvature::of_patch(&mut builder.program) {
+    normal::schedule(&mut builder, derived, &preferred, is_family);
+    let base = base(derived);
+    if !is_family && (derived.singular.is_some() || !curvature::is_diagonal(&mut builder.program, base)) {
+        normal::schedule_area(&mut builder, derived, &preferred);
+    }
+    for (name, values) in curvature::of_patch(&mut builder.program, base) {
         builder.program.output(name, values);
     }
     if !derived.conditions.is_empty() {
@@ -219,6 +237,37 @@ pub fn schedule_preferring(
         builder.program.output(outputs::CONDITIONS, values);
     }
     Ok(builder.program)
+}
+
+/// The units of work after which it is given up to prove that a derivative has no zeros.
+const LIMIT: u64 = 500_000;
+
+/// The parameter by which the derivative of the surface is known to have no zeros; u if that is known of neither or of both.
+fn base(derived: &Derived<'_>) -> Base {
+    if derived.singular.is_none() {
+        return Base::U;
+    }
+    let number = |end: &Rational| Poly::constant(end.clone());
+    let domain: Option<Vec<(Variable, Interval)>> = derived
+        .parameters
+        .iter()
+        .zip(derived.domain)
+        .map(|(&by, [start, end])| Some((by.clone(), Interval::new(number(start), number(end))?)))
+        .collect();
+    let Some(domain) = domain else { return Base::U };
+    let [weight, coordinates @ ..] = derived.homogeneous;
+    let is_regular = |by: &Variable| {
+        let slope = |x: &Poly| x.derivative(by) * weight - x * weight.derivative(by);
+        let mut square: Poly = coordinates.iter().map(|x| slope(x).pow(2)).sum();
+        // The weight is not zero, so its square may be divided by.
+        while let Some(quotient) = square.exact_div(weight).filter(|_| !weight.is_constant()) {
+            square = quotient;
+        }
+        let sign = budget::with_budget(LIMIT, || square.sign_on(&domain));
+        matches!(sign, Ok(Some(BoxSign::Positive)))
+    };
+    let [u, v] = derived.parameters;
+    if !is_regular(u) && is_regular(v) { Base::V } else { Base::U }
 }
 
 #[cfg(test)]

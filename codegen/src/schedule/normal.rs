@@ -10,40 +10,99 @@
 //! underflows, and no rounding is added. R_u × R_v is N times a factor; where that one may vanish on the domain, the
 //! normal is turned to the side of R_u × R_v by its sign.
 
-use hodograph_algebra::Poly;
+use hodograph_algebra::{Fraction, Poly, Variable};
 
+use super::sign::signed;
 use super::surface::{Form, polynomials, quotients};
 use super::univariate::Builder;
+use super::vector::is_zero;
 use super::{Derived, outputs, vector};
 use crate::program::{Operation, Program, Value};
 
-/// The unit normal of a surface whose derivatives are scheduled.
-pub(super) fn schedule(builder: &mut Builder<'_>, derived: &Derived<'_>, preferred: &[Poly]) {
-    let normal = match (derived.normal, derived.normal_root) {
+/// The unit normal of a surface whose derivatives are scheduled, and the derivatives of what it is made of, N/ρ or N, unless the
+/// surface `is_family`: they would be large.
+pub(super) fn schedule(
+    builder: &mut Builder<'_>,
+    derived: &Derived<'_>,
+    preferred: &[Poly],
+    is_family: bool,
+) {
+    let (normal, slopes) = match (derived.normal, derived.normal_root) {
         (None, _) => {
             let direction = cross_product(&mut builder.program);
-            unit(&mut builder.program, &direction, None)
+            (unit(&mut builder.program, &direction, None), None)
         }
         (Some(normal), None) => {
             let direction = polynomials(builder, normal);
-            let side = side(builder, derived);
-            unit(&mut builder.program, &direction, side)
+            let side = side(builder, derived, is_family);
+            let unit = unit(&mut builder.program, &direction, side);
+            let slopes = (!is_family).then(|| {
+                derived
+                    .parameters
+                    .map(|by| polynomials(builder, &normal.each_ref().map(|n| n.derivative(by))))
+            });
+            (unit, slopes)
         }
         (Some(normal), Some(root)) => {
-            let rational = over_root(builder, normal, root, preferred);
-            let side = side(builder, derived);
-            oriented(&mut builder.program, &rational, side)
+            let (rational, slopes) = over_root(builder, normal, root, derived.parameters, preferred);
+            let side = side(builder, derived, is_family);
+            (oriented(&mut builder.program, &rational, side), (!is_family).then_some(slopes))
         }
     };
     builder.program.output(outputs::UNIT_NORMAL, normal);
+    if let Some([of_u, of_v]) = slopes {
+        builder.program.output(outputs::DIRECTION_U, of_u);
+        builder.program.output(outputs::DIRECTION_V, of_v);
+    }
 }
 
 /// The factor of R_u × R_v whose sign decides on the side of the normal, if one does.
-fn side(builder: &mut Builder<'_>, derived: &Derived<'_>) -> Option<Value> {
+fn side(builder: &mut Builder<'_>, derived: &Derived<'_>, is_family: bool) -> Option<Value> {
     let singular = derived.singular?;
-    let value = polynomials(builder, std::slice::from_ref(singular))[0];
+    let value = if is_family {
+        polynomials(builder, std::slice::from_ref(singular))[0]
+    } else {
+        signed(builder, singular)
+    };
     builder.program.name(value, "singular");
     Some(value)
+}
+
+/// The signed area (R_u × R_v)·N/ρ where the normal has a root ρ, or the factor by which R_u × R_v is N.
+pub(super) fn schedule_area(builder: &mut Builder<'_>, derived: &Derived<'_>, preferred: &[Poly]) {
+    let Some(factor) = area_factor(derived) else { return };
+    let side = parts(&builder.program).and_then(|parts| parts.side);
+    let rest = side.and(derived.singular).and_then(|singular| {
+        // The sign of the factor is that of the polynomial, which is computed with care.
+        let quotient =
+            &factor * &Fraction::from(Poly::one()).checked_div(&Fraction::from(singular.clone()))?;
+        Some(quotient.lowest_terms())
+    });
+    let value = quotient(builder, rest.as_ref().unwrap_or(&factor), preferred);
+    let value = match (rest, side) {
+        (Some(_), Some(side)) => builder.program.multiply(value, side),
+        _ => value,
+    };
+    builder.program.name(value, "area");
+    builder.program.output(outputs::AREA_FACTOR, vec![value]);
+}
+
+/// What [`schedule_area`] computes.
+pub(super) fn area_factor(derived: &Derived<'_>) -> Option<Fraction> {
+    let factor = derived.factor?;
+    let root = derived.normal_root.cloned().unwrap_or_else(Poly::one);
+    Some((factor * &Fraction::from(root)).lowest_terms())
+}
+
+/// A rational function of both parameters.
+fn quotient(builder: &mut Builder<'_>, fraction: &Fraction, preferred: &[Poly]) -> Value {
+    let (numerator, denominator) = (std::slice::from_ref(fraction.numerator()), fraction.denominator());
+    if let Some(form) = Form::of(&denominator, numerator, builder.parameters, preferred) {
+        return quotients(builder, &form.of_u, &form.of_v)[0];
+    }
+    let numerator = polynomials(builder, numerator)[0];
+    let denominator = polynomials(builder, std::slice::from_ref(&denominator))[0];
+    builder.program.divide(numerator, denominator)
 }
 
 /// R_u × R_v
@@ -52,33 +111,65 @@ pub(super) fn cross_product(program: &mut Program<Poly>) -> Vec<Value> {
     vector::cross(program, &a, &b)
 }
 
-/// N/ρ, as a sum of products of one parameter each where ρ is a product.
-fn over_root(builder: &mut Builder<'_>, normal: &[Poly; 3], root: &Poly, preferred: &[Poly]) -> Vec<Value> {
+/// N/ρ, as a sum of products of one parameter each where ρ is a product, and its derivatives.
+fn over_root(
+    builder: &mut Builder<'_>,
+    normal: &[Poly; 3],
+    root: &Poly,
+    parameters: [&Variable; 2],
+    preferred: &[Poly],
+) -> (Vec<Value>, [Vec<Value>; 2]) {
     if let Some(form) = Form::of(root, normal, builder.parameters, preferred) {
-        return quotients(builder, &form.of_u, &form.of_v);
+        let values = quotients(builder, &form.of_u, &form.of_v);
+        return (values, form.schedule_slopes(builder, preferred));
     }
-    let root = polynomials(builder, std::slice::from_ref(root))[0];
+    let length = polynomials(builder, std::slice::from_ref(root))[0];
     let one = builder.program.constant(Poly::one());
-    let inverse = builder.program.divide(one, root);
+    let inverse = builder.program.divide(one, length);
     let direction = polynomials(builder, normal);
-    vector::scaled(&mut builder.program, inverse, &direction)
+    let unit = vector::scaled(&mut builder.program, inverse, &direction);
+    // (N/ρ)' = (N' − (N/ρ)·ρ')/ρ
+    let slopes = parameters.map(|by| {
+        let slope = polynomials(builder, std::slice::from_ref(&root.derivative(by)))[0];
+        let slopes = polynomials(builder, &normal.each_ref().map(|n| n.derivative(by)));
+        let program = &mut builder.program;
+        let terms = slopes.iter().zip(&unit);
+        let difference =
+            |(&n, &t): (&Value, &Value)| vector::sum_of(program, &[(n, one, false), (t, slope, true)]);
+        let differences: Vec<Value> = terms.map(difference).collect();
+        vector::scaled(program, inverse, &differences)
+    });
+    (unit, slopes)
 }
 
 /// The unit vector of a direction, on the given side.
 pub(super) fn unit(program: &mut Program<Poly>, direction: &[Value], side: Option<Value>) -> Vec<Value> {
+    let (scale, _, inverse) = scaled_norm(program, direction);
+    let scaled = vector::scaled(program, scale, direction);
+    let normal = vector::scaled(program, inverse, &scaled);
+    oriented(program, &normal, side)
+}
+
+/// The scale s of a direction N, the norm ‖s·N‖ and its inverse.
+pub(super) fn scaled_norm(program: &mut Program<Poly>, direction: &[Value]) -> (Value, Value, Value) {
     let scale = program.scale(direction[0], direction[1], direction[2]);
     let scaled = vector::scaled(program, scale, direction);
     let square = vector::dot(program, &scaled, &scaled);
     let norm = program.square_root(square);
     let one = program.constant(Poly::one());
-    let inverse = program.divide(one, norm);
-    let normal = vector::scaled(program, inverse, &scaled);
-    oriented(program, &normal, side)
+    (scale, norm, program.divide(one, norm))
 }
 
 fn oriented(program: &mut Program<Poly>, vector: &[Value], side: Option<Value>) -> Vec<Value> {
     let Some(side) = side else { return vector.to_vec() };
     vector.iter().map(|&component| program.orient(component, side)).collect()
+}
+
+/// Values on the given side, where 0 is the same on both.
+pub(super) fn turned(program: &mut Program<Poly>, values: &[Value], side: Option<Value>) -> Vec<Value> {
+    let Some(side) = side else { return values.to_vec() };
+    let turn = |&value: &Value| if is_zero(program, value) { value } else { program.orient(value, side) };
+    values.iter().map(turn).collect()
 }
 
 /// What a unit normal was made of, as its operations show: the vector that was turned to one side and by which value; and

@@ -28,6 +28,18 @@ impl Builder<'_> {
         parameter: &Variable,
         preferred: &[Poly],
     ) -> [Vec<Value>; 2] {
+        let (first, reduced) = self.first_slopes(quotients, parameter, preferred);
+        let second = self.second(quotients, &reduced, &first, parameter);
+        [first, second]
+    }
+
+    /// The first derivatives alone, with those that are reduced.
+    pub(super) fn first_slopes(
+        &mut self,
+        quotients: &[Quotient],
+        parameter: &Variable,
+        preferred: &[Poly],
+    ) -> (Vec<Value>, Vec<Option<Quotient>>) {
         let reduced: Vec<Option<Quotient>> = quotients
             .iter()
             .map(|quotient| {
@@ -50,8 +62,7 @@ impl Builder<'_> {
                 None => self.first_by_rules(quotient, parameter),
             });
         }
-        let second = self.second(quotients, &reduced, &first, parameter);
-        [first, second]
+        (first, reduced)
     }
 
     fn first_by_rules(&mut self, quotient: &Quotient, parameter: &Variable) -> Value {

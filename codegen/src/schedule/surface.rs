@@ -76,6 +76,21 @@ impl Form {
         }
     }
 
+    /// The derivatives of the quotients Σ_k (f_k/A)·(g_{c,k}/B) by u and by v.
+    pub(super) fn schedule_slopes(&self, builder: &mut Builder<'_>, preferred: &[Poly]) -> [Vec<Value>; 2] {
+        let parameters = builder.parameters;
+        let width = self.of_u.len().max(1);
+        let flat: Vec<Quotient> = self.of_v.iter().flatten().cloned().collect();
+        let of_u: Vec<Value> = self.of_u.iter().map(|f| builder.quotient(f)).collect();
+        let of_v: Vec<Value> = flat.iter().map(|g| builder.quotient(g)).collect();
+        let (slopes_u, _) = builder.first_slopes(&self.of_u, &parameters.u, preferred);
+        let (slopes_v, _) = builder.first_slopes(&flat, &parameters.v, preferred);
+        [(slopes_u, of_v), (of_u, slopes_v)].map(|(of_u, of_v)| {
+            let row = |row: &[Value]| -> Vec<_> { of_u.iter().copied().zip(row.iter().copied()).collect() };
+            of_v.chunks(width).map(|values| builder.sum_of_nonzero_products(&row(values))).collect()
+        })
+    }
+
     fn homogeneous(&self, builder: &mut Builder<'_>) -> Vec<Value> {
         let (a, b) = &self.weight;
         let (a, b) = (builder.polynomial(a), builder.polynomial(b));

@@ -27,6 +27,7 @@ impl Example {
             normal: Some(&self.normal),
             normal_root: self.root.as_ref(),
             singular: self.singular.as_ref(),
+            factor: None,
             known: &self.known,
             domain: &self.domain,
             conditions: &[],
