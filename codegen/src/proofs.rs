@@ -134,7 +134,8 @@ pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
             (factor, 0.0) => factor,
             _ => f64::INFINITY,
         });
-        bound.relative_errors[place] = factors.fold(0.0, |largest: f64, error| largest.max(rounded_up(error)));
+        bound.relative_errors[place] =
+            factors.fold(0.0, |largest: f64, error| largest.max(rounded_up(error)));
         if place == 0 {
             bound.results = results
                 .iter()

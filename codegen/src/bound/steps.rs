@@ -16,14 +16,37 @@ use crate::program::{Input, Operation, Program, Stage, Value};
 enum Step {
     Constant,
     Input(Input),
-    Add { a: usize, b: usize, minus: bool },
+    Add {
+        a: usize,
+        b: usize,
+        minus: bool,
+    },
     /// A component of a unit vector is between −1 and 1.
-    Multiply { a: usize, b: usize, rounds: Rounds, unit: bool },
-    Divide { a: usize, b: usize },
+    Multiply {
+        a: usize,
+        b: usize,
+        rounds: Rounds,
+        unit: bool,
+    },
+    Divide {
+        a: usize,
+        b: usize,
+    },
     Negate(usize),
-    SquareRoot { a: usize, squares: Squares },
-    MultiplyAdd { a: usize, b: usize, c: usize, rounds: Rounds },
-    Orient { a: usize, b: usize },
+    SquareRoot {
+        a: usize,
+        squares: Squares,
+    },
+    MultiplyAdd {
+        a: usize,
+        b: usize,
+        c: usize,
+        rounds: Rounds,
+    },
+    Orient {
+        a: usize,
+        b: usize,
+    },
     Scale([usize; 3]),
 }
 

@@ -6,6 +6,7 @@ use hodograph_algebra::{Poly, Variable, budget};
 
 use super::differentiate::Derivatives;
 use super::normal::{self, Parts};
+use super::regular::{self, Common};
 use super::weingarten::Base;
 use super::{Derived, curvature, outputs};
 use crate::program::{Arithmetic, Fault, Input, Interpreter, Program, Stage, Value, verify};
@@ -205,16 +206,51 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
         })?;
     }
     check_directions(&mut derivatives, derived)?;
-    let compared = Base::ALL.map(|base| {
+    let is_known = !program.results(outputs::DIRECTION_U).is_empty();
+    let sphere = if is_known { regular::of_sphere(derived) } else { None };
+    let mut compare = |base: Base| {
+        check_area(derivatives.numbers(), derived, base)?;
         let mut copy = program.clone();
-        let values = curvature::of_patch(&mut copy, base);
+        let values = curvature::of_patch(&mut copy, base, sphere.as_ref());
         values.iter().try_for_each(|(output, values)| same(output, program.results(output), values))
-    });
-    let [first, second] = compared;
-    first.or(second)
+    };
+    // Either of the parameters is the base.
+    compare(Base::U).or_else(|mismatch| compare(Base::V).map_err(|_| mismatch))
 }
 
-/// Proves the derivatives of what the unit normal is made of, and the factor of R_u × R_v.
+/// Proves the factor of R_u × R_v, and what it is divided by.
+fn check_area(
+    numbers: &mut Interpreter<'_, Poly, Fractions>,
+    derived: &Derived<'_>,
+    base: Base,
+) -> Result<(), Mismatch> {
+    let program = numbers.program();
+    let output = outputs::AREA_FACTOR;
+    let found = program.results(output);
+    if found.is_empty() {
+        return Ok(());
+    }
+    let common = match program.results(outputs::COMMON_FACTOR) {
+        [] => None,
+        _ => Common::of(derived, base),
+    };
+    if let Some(Common { factor, partial, square, slope, denominator }) = &common {
+        for (output, expected) in [
+            (outputs::COMMON_FACTOR, over(std::slice::from_ref(factor), &Poly::one())),
+            (outputs::PARTIAL_DIVIDED, over(partial, square)),
+            (outputs::DIRECTION_DIVIDED, over(slope, denominator)),
+        ] {
+            doing(output, || check_values(numbers, output, program.results(output), &expected))?;
+        }
+    }
+    let Some(factor) = normal::area_factor(derived, common.as_ref()) else {
+        return Err(Mismatch::Missing(output.to_string()));
+    };
+    let expected = over(std::slice::from_ref(factor.numerator()), &factor.denominator());
+    doing(output, || check_values(numbers, output, found, &expected))
+}
+
+/// Proves the derivatives of what the unit normal is made of.
 fn check_directions(derivatives: &mut Derivatives<'_>, derived: &Derived<'_>) -> Result<(), Mismatch> {
     let program = derivatives.numbers().program();
     let stages = [Stage::U, Stage::V];
@@ -243,16 +279,7 @@ fn check_directions(derivatives: &mut Derivatives<'_>, derived: &Derived<'_>) ->
             check_values(derivatives.numbers(), output, found, &normal.each_ref().map(slope))
         })?;
     }
-    let output = outputs::AREA_FACTOR;
-    let found = program.results(output);
-    if found.is_empty() {
-        return Ok(());
-    }
-    let Some(factor) = normal::area_factor(derived) else {
-        return Err(Mismatch::Missing(output.to_string()));
-    };
-    let expected = [(factor.numerator().clone(), factor.denominator())];
-    doing(output, || check_values(derivatives.numbers(), output, found, &expected))
+    Ok(())
 }
 
 /// The fractions p/d.

@@ -36,7 +36,8 @@
 //!
 //! Many sweeps are parametrized by lines of curvature, F = M = 0 (do Carmo, §3-3). Where that is an identity
 //! (`vanish.rs`), the shape operator is diagonal in the basis R_u, R_v itself: a = L/E, b = 0, c = N/G, n_u = −a·R_u
-//! and n_v = −c·R_v. Where a = c besides, as on planes and spheres, both principal curvatures are H.
+//! and n_v = −c·R_v. On planes a, b and c are 0, and on spheres
+//! a = c is a number and b is 0.
 
 use hodograph_algebra::{Poly, ratio};
 
@@ -50,13 +51,20 @@ use crate::program::{Program, Value};
 /// The outputs that follow from the derivatives and the unit normal of a program, with its derivatives if it has them.
 ///
 /// That they are right follows from the formulas above once those are proved, so a proof compares them with what this
-/// function makes of a copy of the program.
-pub(super) fn of_patch(program: &mut Program<Poly>, base: Base) -> Vec<OutputValues> {
+/// function makes of a copy of the program. For a sphere its `curvature` is known, on the side of what the normal is made of.
+pub(super) fn of_patch(
+    program: &mut Program<Poly>,
+    base: Base,
+    curvature: Option<&Poly>,
+) -> Vec<OutputValues> {
     let (forms, shape, side);
     if let Some(direction) = Direction::of(program, base) {
         side = normal::parts(program).and_then(|parts| parts.side);
         forms = direction.forms(program);
-        shape = direction.shape(program, &forms, side.is_none());
+        shape = match curvature {
+            Some(curvature) => direction.shape_of_sphere(program, curvature),
+            None => direction.shape(program, &forms, side.is_none()),
+        };
     } else {
         side = None;
         forms = forms_of_patch(program);
@@ -66,18 +74,21 @@ pub(super) fn of_patch(program: &mut Program<Poly>, base: Base) -> Vec<OutputVal
     let Shape { a, b, c, normal_u, normal_v } = shape;
     let speeds = vec![program.square_root(e), program.square_root(g)];
 
-    let half = program.constant(Poly::constant(ratio(1, 2)));
-    let sum = program.add(a, c);
-    let mean = program.multiply(half, sum);
+    let (mean, gaussian, root);
+    if let Some(curvature) = curvature {
+        (mean, root) = (a, b);
+        gaussian = program.constant(curvature * curvature);
+    } else {
+        let half = program.constant(Poly::constant(ratio(1, 2)));
+        let sum = program.add(a, c);
+        mean = program.multiply(half, sum);
+        gaussian = sum_of(program, &[(a, c, false), (b, b, true)]);
+        let difference = program.subtract(a, c);
+        let difference = program.multiply(half, difference);
+        let radicand = sum_of(program, &[(difference, difference, false), (b, b, false)]);
+        root = if is_zero(program, radicand) { radicand } else { program.square_root(radicand) };
+    }
     let mean = turned(program, &[mean], side)[0];
-    let gaussian = sum_of(program, &[(a, c, false), (b, b, true)]);
-    let difference = program.subtract(a, c);
-    let difference = match is_zero_identically(program, difference) {
-        true => program.constant(Poly::zero()),
-        false => program.multiply(half, difference),
-    };
-    let radicand = sum_of(program, &[(difference, difference, false), (b, b, false)]);
-    let root = if is_zero(program, radicand) { radicand } else { program.square_root(radicand) };
     let principal = vec![program.add(mean, root), program.subtract(mean, root)];
 
     vec![

@@ -34,6 +34,7 @@ mod letters;
 mod linear;
 mod normal;
 mod quotient;
+mod regular;
 mod separate;
 mod sign;
 mod slope;
@@ -140,6 +141,13 @@ pub mod outputs {
     /// The rational function by which R_u × R_v is that which is differentiated: the signed area element where it is N/ρ.
     /// It is there if curvatures are computed with it.
     pub const AREA_FACTOR: &str = "area_factor";
+    /// The derivative of the point by the parameter that it may vanish with, divided by a factor of it, if curvatures are
+    /// computed with it.
+    pub const PARTIAL_DIVIDED: &str = "partial_divided";
+    /// The derivative by the same parameter of what the unit normal is made of, divided by the same factor.
+    pub const DIRECTION_DIVIDED: &str = "direction_divided";
+    /// The factor, by which the area factor is divided too.
+    pub const COMMON_FACTOR: &str = "common_factor";
     /// Polynomials of one parameter that are positive on the domain where the symbols have values that are allowed.
     pub const CONDITIONS: &str = "conditions";
 }
@@ -225,11 +233,13 @@ pub fn schedule_preferring(
         builder.program.output(outputs::ACCURATE_POINT, point);
     }
     normal::schedule(&mut builder, derived, &preferred, is_family);
-    let base = base(derived);
-    if !is_family && (derived.singular.is_some() || !curvature::is_diagonal(&mut builder.program, base)) {
-        normal::schedule_area(&mut builder, derived, &preferred);
+    let base = if is_family { Base::U } else { base(derived) };
+    let sphere = if is_family { None } else { regular::of_sphere(derived) };
+    let is_special = is_family || sphere.is_some();
+    if !is_special && (derived.singular.is_some() || !curvature::is_diagonal(&mut builder.program, base)) {
+        normal::schedule_area(&mut builder, derived, base, &preferred);
     }
-    for (name, values) in curvature::of_patch(&mut builder.program, base) {
+    for (name, values) in curvature::of_patch(&mut builder.program, base, sphere.as_ref()) {
         builder.program.output(name, values);
     }
     if !derived.conditions.is_empty() {

@@ -12,10 +12,12 @@
 
 use hodograph_algebra::{Fraction, Poly, Variable};
 
+use super::regular::Common;
 use super::sign::signed;
 use super::surface::{Form, polynomials, quotients};
 use super::univariate::Builder;
 use super::vector::is_zero;
+use super::weingarten::Base;
 use super::{Derived, outputs, vector};
 use crate::program::{Operation, Program, Value};
 
@@ -27,6 +29,7 @@ pub(super) fn schedule(
     preferred: &[Poly],
     is_family: bool,
 ) {
+    builder.is_careful = derived.singular.is_some() && !is_family;
     let (normal, slopes) = match (derived.normal, derived.normal_root) {
         (None, _) => {
             let direction = cross_product(&mut builder.program);
@@ -49,6 +52,7 @@ pub(super) fn schedule(
             (oriented(&mut builder.program, &rational, side), (!is_family).then_some(slopes))
         }
     };
+    builder.is_careful = false;
     builder.program.output(outputs::UNIT_NORMAL, normal);
     if let Some([of_u, of_v]) = slopes {
         builder.program.output(outputs::DIRECTION_U, of_u);
@@ -68,41 +72,76 @@ fn side(builder: &mut Builder<'_>, derived: &Derived<'_>, is_family: bool) -> Op
     Some(value)
 }
 
-/// The signed area (R_u × R_v)·N/ρ where the normal has a root ρ, or the factor by which R_u × R_v is N.
-pub(super) fn schedule_area(builder: &mut Builder<'_>, derived: &Derived<'_>, preferred: &[Poly]) {
-    let Some(factor) = area_factor(derived) else { return };
-    let side = parts(&builder.program).and_then(|parts| parts.side);
-    let rest = side.and(derived.singular).and_then(|singular| {
-        // The sign of the factor is that of the polynomial, which is computed with care.
-        let quotient =
-            &factor * &Fraction::from(Poly::one()).checked_div(&Fraction::from(singular.clone()))?;
-        Some(quotient.lowest_terms())
-    });
-    let value = quotient(builder, rest.as_ref().unwrap_or(&factor), preferred);
-    let value = match (rest, side) {
-        (Some(_), Some(side)) => builder.program.multiply(value, side),
-        _ => value,
+/// The signed area (R_u × R_v)·N/ρ where the normal has a root ρ, or the factor by which R_u × R_v is N; divided by what it has in
+/// common with the derivative by the other parameter than the base, which is scheduled without that too.
+pub(super) fn schedule_area(
+    builder: &mut Builder<'_>,
+    derived: &Derived<'_>,
+    base: Base,
+    preferred: &[Poly],
+) {
+    let common = Common::of(derived, base);
+    let (Some(factor), Some(singular)) =
+        (area_factor(derived, common.as_ref()), singular(derived, common.as_ref()))
+    else {
+        return;
     };
+    builder.is_careful = derived.singular.is_some();
+    if let Some(common) = &common {
+        let Common { partial, square, slope, denominator, factor } = common;
+        let values = fractions(builder, partial, square, preferred);
+        builder.program.output(outputs::PARTIAL_DIVIDED, values);
+        let values = fractions(builder, slope, denominator, preferred);
+        builder.program.output(outputs::DIRECTION_DIVIDED, values);
+        let value = builder.polynomial(factor);
+        builder.program.output(outputs::COMMON_FACTOR, vec![value]);
+    }
+    // The sign of the factor is that of a polynomial, which is computed with care.
+    let rest = Fraction::from(Poly::one()).checked_div(&Fraction::from(singular.clone()));
+    let rest = rest.map_or_else(|| factor.clone(), |inverse| (&factor * &inverse).lowest_terms());
+    let value = fractions(builder, std::slice::from_ref(rest.numerator()), &rest.denominator(), preferred)[0];
+    let side = if singular.is_constant() { builder.number(&singular) } else { signed(builder, &singular) };
+    let value = builder.program.multiply(value, side);
+    builder.is_careful = false;
     builder.program.name(value, "area");
     builder.program.output(outputs::AREA_FACTOR, vec![value]);
 }
 
-/// What [`schedule_area`] computes.
-pub(super) fn area_factor(derived: &Derived<'_>) -> Option<Fraction> {
-    let factor = derived.factor?;
-    let root = derived.normal_root.cloned().unwrap_or_else(Poly::one);
-    Some((factor * &Fraction::from(root)).lowest_terms())
+/// The polynomial that decides on the side of the normal, divided by a factor; 1 if there is none.
+fn singular(derived: &Derived<'_>, common: Option<&Common>) -> Option<Poly> {
+    let Some(singular) = derived.singular else { return Some(Poly::one()) };
+    match common {
+        Some(common) => singular.exact_div(&common.factor),
+        None => Some(singular.clone()),
+    }
 }
 
-/// A rational function of both parameters.
-fn quotient(builder: &mut Builder<'_>, fraction: &Fraction, preferred: &[Poly]) -> Value {
-    let (numerator, denominator) = (std::slice::from_ref(fraction.numerator()), fraction.denominator());
-    if let Some(form) = Form::of(&denominator, numerator, builder.parameters, preferred) {
-        return quotients(builder, &form.of_u, &form.of_v)[0];
+/// What [`schedule_area`] computes.
+pub(super) fn area_factor(derived: &Derived<'_>, common: Option<&Common>) -> Option<Fraction> {
+    let factor = derived.factor?;
+    let root = derived.normal_root.cloned().unwrap_or_else(Poly::one);
+    let factor = (factor * &Fraction::from(root)).lowest_terms();
+    match common {
+        Some(common) => common.divided(&factor),
+        None => Some(factor),
     }
-    let numerator = polynomials(builder, numerator)[0];
-    let denominator = polynomials(builder, std::slice::from_ref(&denominator))[0];
-    builder.program.divide(numerator, denominator)
+}
+
+/// Rational functions of both parameters with one denominator.
+fn fractions(
+    builder: &mut Builder<'_>,
+    numerators: &[Poly],
+    denominator: &Poly,
+    preferred: &[Poly],
+) -> Vec<Value> {
+    if let Some(form) = Form::of(denominator, numerators, builder.parameters, preferred) {
+        return quotients(builder, &form.of_u, &form.of_v);
+    }
+    let numerators = polynomials(builder, numerators);
+    let denominator = polynomials(builder, std::slice::from_ref(denominator))[0];
+    let one = builder.program.constant(Poly::one());
+    let inverse = builder.program.divide(one, denominator);
+    vector::scaled(&mut builder.program, inverse, &numerators)
 }
 
 /// R_u × R_v

@@ -11,6 +11,7 @@
 use hodograph_algebra::{BoxSign, Interval, Poly, Variable, ratio};
 
 use super::accurate;
+use super::forms::Range;
 use super::separate::{Parameters, Separation};
 use super::surface::polynomials;
 use super::univariate::Builder;
@@ -48,32 +49,59 @@ struct Signed {
     sign: Option<i64>,
 }
 
-impl Signed {
-    fn of(builder: &Builder<'_>, poly: &Poly, input: Input) -> Signed {
-        let Parameters { u, v } = builder.parameters;
-        let variable = if input == Input::U { u } else { v };
-        let mut signed = Signed { differences: Vec::new(), rest: poly.clone(), sign: None };
-        let Some(range) = builder.range(input) else { return signed };
-        let [start, end] = range.ends().clone();
-        let middle = (&start + &end).scale(&ratio(1, 2));
-        let mut is_definite = true;
-        for (root, is_below, is_end) in [(start, true, true), (end, false, true), (middle, true, false)] {
-            let factor =
-                if is_below { Poly::variable(variable) - &root } else { &root - Poly::variable(variable) };
-            let mut exponent = 0;
-            while let Some(quotient) =
-                signed.rest.exact_div(&factor).filter(|_| signed.rest.contains(variable))
-            {
-                signed.rest = quotient;
-                exponent += 1;
-            }
-            is_definite &= is_end || exponent % 2 == 0;
-            if exponent > 0 {
-                signed.differences.push((root, is_below, exponent));
+impl Builder<'_> {
+    /// The value of a polynomial that has roots at the ends of the domain, with these taken out; `None` if it has none, but for
+    /// a root 0, which is a factor of what is evaluated around 0 anyway.
+    pub(super) fn with_roots(&mut self, poly: &Poly, input: Input) -> Option<Value> {
+        let mut signed = Signed::without_sign(poly);
+        for (end, is_below) in ends(self, input)? {
+            if !end.is_zero() {
+                signed.take_out(self.parameters, input, end, is_below);
             }
         }
-        signed.sign = sign(&signed.rest, variable, range.interval()).filter(|_| is_definite);
+        (!signed.differences.is_empty()).then(|| signed.value(self, input))
+    }
+}
+
+/// The ends of a parameter's domain, and whether the parameter is above.
+fn ends(builder: &Builder<'_>, input: Input) -> Option<[(Poly, bool); 2]> {
+    let [start, end] = builder.range(input)?.ends().clone();
+    Some([(start, true), (end, false)])
+}
+
+impl Signed {
+    fn of(builder: &Builder<'_>, poly: &Poly, input: Input) -> Signed {
+        let mut signed = Signed::without_sign(poly);
+        let Some(ends) = ends(builder, input) else { return signed };
+        let middle = (&ends[0].0 + &ends[1].0).scale(&ratio(1, 2));
+        for (end, is_below) in ends {
+            signed.take_out(builder.parameters, input, end, is_below);
+        }
+        let is_definite = signed.take_out(builder.parameters, input, middle, true).is_multiple_of(2);
+        let variable = variable(builder.parameters, input);
+        let interval = builder.range(input).and_then(Range::interval);
+        signed.sign = sign(&signed.rest, variable, interval).filter(|_| is_definite);
         signed
+    }
+
+    fn without_sign(poly: &Poly) -> Signed {
+        Signed { differences: Vec::new(), rest: poly.clone(), sign: None }
+    }
+
+    /// Takes out the factor x − a, or a − x, as often as it is there.
+    fn take_out(&mut self, parameters: &Parameters, input: Input, root: Poly, is_below: bool) -> u32 {
+        let variable = variable(parameters, input);
+        let difference = Poly::variable(variable) - &root;
+        let factor = if is_below { difference } else { -difference };
+        let mut exponent = 0;
+        while let Some(quotient) = self.rest.exact_div(&factor).filter(|_| self.rest.contains(variable)) {
+            self.rest = quotient;
+            exponent += 1;
+        }
+        if exponent > 0 {
+            self.differences.push((root, is_below, exponent));
+        }
+        exponent
     }
 
     fn value(&self, builder: &mut Builder<'_>, input: Input) -> Value {
@@ -88,6 +116,10 @@ impl Signed {
         }
         value
     }
+}
+
+fn variable(Parameters { u, v }: &Parameters, input: Input) -> &Variable {
+    if input == Input::U { u } else { v }
 }
 
 /// The sign of a polynomial that has no zeros on an interval.

@@ -55,6 +55,8 @@ pub(super) struct Builder<'a> {
     /// Factors of the weight in u and in v, which are likely to be worth having in a basis for other polynomials too;
     /// used for families, where no linear algebra finds such a basis.
     pub(super) hint: Option<(Poly, Poly)>,
+    /// Whether polynomials are evaluated so that they are accurate near roots at the ends of the domain.
+    pub(super) is_careful: bool,
     /// Polynomials in symbols alone that are evaluated, by a number that equal ones share.
     pub(super) numbers: BTreeMap<u64, Vec<(Poly, Value)>>,
 }
@@ -78,6 +80,7 @@ impl<'a> Builder<'a> {
             inverses: Vec::new(),
             unnamed: [0, 0],
             hint: None,
+            is_careful: false,
             numbers: BTreeMap::new(),
         }
     }
@@ -176,6 +179,11 @@ impl<'a> Builder<'a> {
         let Some((variable, input)) = self.parameter(poly) else {
             return self.number(poly);
         };
+        if self.is_careful
+            && let Some(value) = self.with_roots(poly, input)
+        {
+            return value;
+        }
         let linear = poly.degree(&variable) <= Some(1);
         let is_sign = |factor: &Poly| factor.is_one() || (-factor).is_one();
         let multiple = |(known, value): &(Poly, Value)| {

@@ -18,6 +18,9 @@
 //! E has full accuracy there. α is computed as a product: R_u × R_v = factor·N with the factor that was derived, so that it keeps
 //! its accuracy near its zeros too.
 //!
+//! Where R_Y, t_Y and α have a factor φ(x) in common, c is computed from what is left of each (`regular.rs`), and so is defined
+//! where φ = 0.
+//!
 //! Where F = M = 0 identically, b is 0 and c = −t_Y·R_Y/G. The derivatives of t follow from their products with the basis,
 //!
 //! ```text
@@ -43,10 +46,8 @@ pub(super) enum Base {
 }
 
 impl Base {
-    pub(super) const ALL: [Base; 2] = [Base::U, Base::V];
-
     /// A pair for u and v as one for the base and the other parameter, and back.
-    fn order<T>(self, [u, v]: [T; 2]) -> [T; 2] {
+    pub(super) fn order<T>(self, [u, v]: [T; 2]) -> [T; 2] {
         if self == Base::U { [u, v] } else { [v, u] }
     }
 }
@@ -59,6 +60,8 @@ pub(super) struct Direction {
     unit: Vec<Value>,
     /// t_X and t_Y up to multiples of t, over the next field.
     slopes: [Vec<Value>; 2],
+    /// R_Y and t_Y like that, divided by a factor that they have in common, and this factor.
+    divided: Option<[Vec<Value>; 3]>,
     /// 1/‖N‖; `None` if the slopes are t_X and t_Y themselves.
     inverse_length: Option<Value>,
     /// ‖N‖, or 1.
@@ -76,21 +79,24 @@ impl Direction {
         if slopes.iter().any(|slope| slope.len() != 3) {
             return None;
         }
+        let divided =
+            [outputs::PARTIAL_DIVIDED, outputs::DIRECTION_DIVIDED, outputs::COMMON_FACTOR].map(results);
+        let divided = divided.iter().all(|values| !values.is_empty()).then_some(divided);
         let (mut inverse_length, mut length) = (None, None);
         if let Some(direction) = direction {
             let (scale, norm, inverse) = normal::scaled_norm(program, &direction);
             inverse_length = Some(program.multiply(scale, inverse));
             length = Some(program.divide(norm, scale));
         }
-        Some(Direction { partials, unit: turned, slopes, inverse_length, length, base })
+        Some(Direction { partials, unit: turned, slopes, divided, inverse_length, length, base })
     }
 
     /// The product of a slope with a tangent, times −1; 0 if that is an identity.
-    fn bend(&self, program: &mut Program<Poly>, slope: usize, tangent: &[Value]) -> Value {
+    fn bend(&self, program: &mut Program<Poly>, slope: &[Value], tangent: &[Value]) -> Value {
         let Some(inverse) = self.inverse_length else {
-            return dot_or_zero(program, &self.slopes[slope], tangent, true);
+            return dot_or_zero(program, slope, tangent, true);
         };
-        let product = dot_or_zero(program, &self.slopes[slope], tangent, false);
+        let product = dot_or_zero(program, slope, tangent, false);
         let product = program.multiply(product, inverse);
         program.negate(product)
     }
@@ -104,15 +110,22 @@ impl Direction {
         if self.base == Base::U { area } else { program.negate(area) }
     }
 
+    /// The shape operator of a sphere, which is a number: −1/r for the radius r.
+    pub(super) fn shape_of_sphere(&self, program: &mut Program<Poly>, curvature: &Poly) -> Shape {
+        let (a, zero) = (program.constant(curvature.clone()), program.constant(Poly::zero()));
+        let [normal_u, normal_v] = self.base.order(self.slopes.clone());
+        Shape { a, b: zero, c: a, normal_u, normal_v }
+    }
+
     /// Both fundamental forms, the second one on the side of t.
     pub(super) fn forms(&self, program: &mut Program<Poly>) -> Forms {
         let [of_x, of_y] = &self.partials;
         let e = dot(program, of_x, of_x);
         let f = dot_or_zero(program, of_x, of_y, false);
         let g = dot(program, of_y, of_y);
-        let (l, n) = (self.bend(program, 0, of_x), self.bend(program, 1, of_y));
+        let (l, n) = (self.bend(program, &self.slopes[0], of_x), self.bend(program, &self.slopes[1], of_y));
         // Either product may be seen to vanish.
-        let m = self.bend(program, 1, of_x);
+        let m = self.bend(program, &self.slopes[1], of_x);
         let other = dot(program, &self.slopes[0], of_y);
         let m = if is_zero_identically(program, other) { program.constant(Poly::zero()) } else { m };
         let ([e, g], [l, n]) = (self.base.order([e, g]), self.base.order([l, n]));
@@ -133,20 +146,31 @@ impl Direction {
             by_rules = [opposite(program, a, of_x), opposite(program, c, of_y)];
         } else {
             let across = cross(program, &self.unit, of_x);
-            let turn_y = self.bend(program, 1, &across);
             let area = self.area(program, &across);
+            // φ = 1 if nothing is divided by it.
+            let (turn_over, f_over, turn_y) = match &self.divided {
+                Some([partial, slope, factor]) => {
+                    let turn = self.bend(program, slope, &across);
+                    let f_over = if is_zero(program, f) { f } else { dot(program, of_x, partial) };
+                    (turn, f_over, program.multiply(turn, factor[0]))
+                }
+                None => {
+                    let turn = self.bend(program, &self.slopes[1], &across);
+                    (turn, f, turn)
+                }
+            };
             if forms.is_diagonal(program) {
                 (a, b) = (quotient(program, l, e), f);
-                c = quotient(program, turn_y, area);
+                c = quotient(program, turn_over, area);
                 let turn = quotient(program, turn_y, e);
                 by_rules = [opposite(program, a, of_x), opposite(program, turn, &across)];
             } else {
                 let one = program.constant(Poly::one());
                 let e_inverse = program.divide(one, e);
-                let turn_x = self.bend(program, 0, &across);
+                let turn_x = self.bend(program, &self.slopes[0], &across);
                 a = program.multiply(l, e_inverse);
                 b = program.multiply(turn_x, e_inverse);
-                let sum = sum_of(program, &[(turn_y, one, false), (f, b, true)]);
+                let sum = sum_of(program, &[(turn_over, one, false), (f_over, b, true)]);
                 c = quotient(program, sum, area);
                 let (turn, shear) = (program.multiply(turn_y, e_inverse), program.multiply(m, e_inverse));
                 let mut combination = |p: Value, q: Value| -> Vec<Value> {
