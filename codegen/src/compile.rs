@@ -16,12 +16,13 @@ use hodograph_algebra::{
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::choice;
 use crate::emit::{self, Artifact, PieceOf, Setting};
 use crate::language::ast::{self, ExprKind, File, ItemKind, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 use crate::meaning::{Model, Piece, models};
 use crate::offset::OffsetPatch;
-use crate::proofs::proofs;
+use crate::proofs::{self, proofs};
 use crate::round::{self, RoundError};
 use crate::schedule::{self, Derived, Mismatch, Preference, ScheduleError, outputs};
 
@@ -85,12 +86,19 @@ pub fn exact_program(
     derivation: &Essentials,
 ) -> Result<crate::program::Program<Poly>, CompileError> {
     with_derived(model, derivation, |derived| {
-        let preference = match model.preference {
-            ast::Preference::Fast => Preference::Fast,
-            ast::Preference::Accurate => Preference::Accurate,
-        };
-        let mut program =
-            schedule::schedule_preferring(derived, preference).map_err(CompileError::Schedule)?;
+        let scheduled =
+            |preference| schedule::schedule_preferring(derived, preference).map_err(CompileError::Schedule);
+        if model.preference == ast::Preference::Fast {
+            let program = scheduled(Preference::Fast)?;
+            schedule::check(&program, derived).map_err(CompileError::Mismatch)?;
+            return Ok(program);
+        }
+        let mut program = scheduled(Preference::Accurate)?;
+        if derivation.symbols.is_empty() {
+            let domain = proofs::domain(derivation);
+            let fast = scheduled(Preference::Fast)?;
+            program = choice::of_both(program, &fast, &domain).map_err(CompileError::Round)?;
+        }
         schedule::check(&program, derived).map_err(CompileError::Mismatch)?;
         // Both are proved to be the point.
         program.replace_output(outputs::POINT, outputs::ACCURATE_POINT);

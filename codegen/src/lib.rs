@@ -6,6 +6,7 @@
 
 pub mod bound;
 mod builder;
+mod choice;
 pub mod compile;
 pub mod emit;
 pub mod expansion;

@@ -90,21 +90,30 @@ impl OutputBound {
         };
         raise(&mut self.errors, &other.errors);
         raise(&mut self.relative_errors, &other.relative_errors);
-        raise(&mut self.relative_errors_of_results, &other.relative_errors_of_results);
+        for (result, other) in self.results.iter_mut().zip(&other.results) {
+            raise(&mut result.errors, &other.errors);
+            result.relative_error = result.relative_error.max(other.relative_error);
+            result.underflow = result.underflow.max(other.underflow);
+        }
         self.size = self.size.max(other.size);
-        self.failure = self.failure.or(other.failure);
+        self.most = self.most.max(other.most);
+        self.failure = self.failure.take().or_else(|| other.failure.clone());
     }
 }
 
 /// Proves bounds for a program over the domain of the surface, and where the surface has neither poles nor singular points.
 pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: &Program<f64>) -> Proofs {
-    let domain = derivation.domain.each_ref().map(|interval| hull(interval.lower(), interval.upper()));
-    let Ok(proofs) = prove(program, rounded, &domain, &Rounding::ALL) else {
+    let Ok(proofs) = prove(program, rounded, &domain(derivation), &Rounding::ALL) else {
         unreachable!("one program is the other one rounded")
     };
     let bounds: Vec<OutputBound> = BOUNDED.iter().map(|name| output_bound(name, &proofs)).collect();
     let certificates = certificates(derivation, &bounds);
     Proofs { bounds, certificates }
+}
+
+/// The domain, up to floats beyond its ends.
+pub(crate) fn domain(derivation: &Essentials) -> [[Rational; 2]; 2] {
+    derivation.domain.each_ref().map(|interval| hull(interval.lower(), interval.upper()))
 }
 
 /// The bounds of one output, from the proofs for all roundings.

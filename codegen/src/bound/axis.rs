@@ -10,7 +10,7 @@ use super::interval::Interval;
 use super::steps::Steps;
 
 /// What is known on intervals above this level of halving is improved by what is known of their parts.
-pub(super) const LEAF_LEVEL: u32 = 6;
+pub(super) const LEAF_LEVEL: u32 = 5;
 
 /// One of the 2^level equal parts of an interval, by level and place.
 pub(super) type Part = (u32, u32);

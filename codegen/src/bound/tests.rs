@@ -673,6 +673,107 @@ fn signs_of_differences_are_right() {
     assert!(rounded.prove().iter().all(|proof| proof.output("results")[0].is_err()));
 }
 
+/// Whether an output has a bound, and the reason if it has none.
+fn reason_of(subject: &Subject, output: &str) -> Option<Reason> {
+    let failures = subject.prove().into_iter().map(|proof| proof.error(output).err());
+    failures.map(|failure| failure.map(|failure| failure.reason)).max_by_key(Option::is_some).flatten()
+}
+
+/// Bounds hold up to singular points, for all that stays bounded there.
+#[test]
+fn rotations_have_bounds_up_to_their_axes() {
+    let surface = |z: &str| {
+        sweep(&format!(
+            "sweep s {{ surface R = (u*(1 - v^2)/(1 + v^2), 2*u*v/(1 + v^2), {z}); domain u in 0..1, v in 0..1; }}"
+        ))
+    };
+    let paraboloid = surface("u^2");
+    let (near, far) = (2.0_f64.powi(-60), 1.0 - 2.0_f64.powi(-24));
+    for proof in paraboloid.prove() {
+        for output in [outputs::UNIT_NORMAL, outputs::GAUSSIAN, outputs::PRINCIPAL, outputs::NORMAL_V] {
+            let error = proof.error(output).unwrap();
+            assert!(
+                error < 300.0 * 2.0_f64.powi(proof.rounding.precision.unit_exponent()),
+                "{output}: {error:e}"
+            );
+        }
+        for at in [[near, 0.5], [near, 1.0], [1e-30, far], [0.5, 0.25], [0.0, 0.5]] {
+            assert!(paraboloid.holds_at(&proof, at), "{at:?}");
+        }
+    }
+    // Of a cone the normal has bounds, and the curvature, which is 0 along its lines, none.
+    let cone = surface("2*u");
+    assert_eq!(
+        [outputs::UNIT_NORMAL, outputs::GAUSSIAN, outputs::NORMAL_V].map(|output| reason_of(&cone, output)),
+        [None; 3]
+    );
+    assert_eq!(
+        [outputs::MEAN, outputs::PRINCIPAL].map(|output| reason_of(&cone, output)),
+        [Some(Reason::Pole); 2]
+    );
+}
+
+#[test]
+fn spheres_and_planes_have_exact_curvatures() {
+    let sphere = sweep(
+        "sweep s {
+            surface R = (1 + 6*u/(1 + u^2 + v^2), 6*v/(1 + u^2 + v^2), 3*(u^2 + v^2 - 1)/(1 + u^2 + v^2));
+            domain u in 0..1, v in 0..1;
+        }",
+    );
+    let plane =
+        sweep("sweep s { surface R = (u + v^3, v^3 - u*v, u^2*v + v); domain u in 0..1, v in 0..1; }");
+    let flat = sweep("sweep s { surface R = (u + v^3, v^3 - u, 2*u); domain u in 0..1, v in 1..2; }");
+    for proof in sphere.prove() {
+        // 1/9 and 1/3 are rounded, and nothing else is.
+        let unit = 2.0_f64.powi(proof.rounding.precision.unit_exponent());
+        assert!(proof.error(outputs::GAUSSIAN).unwrap() <= unit / 9.0);
+        assert!(proof.error(outputs::PRINCIPAL).unwrap() <= unit / 3.0);
+        assert!(sphere.holds_at(&proof, [0.25, 0.75]));
+    }
+    for proof in flat.prove() {
+        assert_eq!(proof.error(outputs::PRINCIPAL).unwrap(), 0.0);
+        assert_eq!(proof.attained(outputs::PRINCIPAL), 0.0);
+    }
+    assert!(plane.prove()[0].error(outputs::GAUSSIAN).unwrap() > 0.0);
+}
+
+/// Next to a singular point, which is a corner, curvatures have full accuracy relative to themselves.
+#[test]
+fn curvatures_are_accurate_next_to_singular_points() {
+    let involute = sweep(
+        "sweep s {
+            profile p(u) = (1 - u^2)/(1 + u^2)*i + 2*u/(1 + u^2)*k;
+            path s(v) = ph_hermite((0, 0), (-2, 0), (0, 1), (2, 0));
+            surface R = s.involute - p.x*s.tangent + p.z*k;
+            domain u in 0..1, v in 0..1;
+        }",
+    );
+    assert_eq!(reason_of(&involute, outputs::UNIT_NORMAL), None);
+    let places: Vec<usize> = {
+        let wanted = [outputs::GAUSSIAN, outputs::MEAN];
+        let outputs = involute.rounded.outputs().iter();
+        outputs
+            .flat_map(|output| output.values.iter().map(|_| wanted.contains(&output.name.as_str())))
+            .enumerate()
+            .filter_map(|(place, wanted)| wanted.then_some(place))
+            .collect()
+    };
+    assert_eq!(places.len(), 2);
+    for rounding in Rounding::ALL.into_iter().filter(|rounding| rounding.precision == Precision::Double) {
+        for at in
+            [[1.0 - 2.0_f64.powi(-52), 0.0], [1.0 - 3.0 * 2.0_f64.powi(-53), 1e-20], [1.0 - 1e-9, 1e-12]]
+        {
+            let errors = involute.errors(rounding, at);
+            for &place in &places {
+                let (error, number) = errors[place].clone().unwrap();
+                // 2^-46 of the number itself.
+                assert!(error.shl(46) < magnitude(&number), "{at:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn norms_have_bounds_where_they_vanish() {
     // √((u − v)² + (u + v − 1)²) is 0 at the middle of the square.

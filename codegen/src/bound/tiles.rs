@@ -28,6 +28,9 @@ const WORK_FOR_ABSOLUTE: usize = 40_000;
 /// How many more are for boxes where a result has no bound yet.
 const WORK_FOR_BOUNDS: usize = 300_000;
 
+/// How many more are for results whose last division made the largest error smaller by a quarter.
+const WORK_FOR_GAIN: usize = 32_000;
+
 /// A maximum counts as found when halving its box makes it smaller by less than the part 2^-GAIN.
 const GAIN: i32 = 5;
 
@@ -59,6 +62,11 @@ fn is_larger(a: &Size, b: &Size) -> bool {
         (None, Some(_)) => true,
         (Some(a), Some(b)) => a > b,
     }
+}
+
+/// Whether a gain is at least 5/4.
+fn is_large(gain: Dyadic) -> bool {
+    gain >= Dyadic::ONE.plus(Dyadic::power_of_two(-2))
 }
 
 /// Whether a result is known to be positive on one tile and negative on another one, so that it vanishes
@@ -118,7 +126,11 @@ impl Tiles<'_, '_> {
                 let worst = Self::to_divide(tiles, result, aim);
                 let none = worst.filter(|&worst| tiles[worst].sizes[result][aim as usize].is_none());
                 let hopeless = aim == Aim::Relative && none.is_some() && changes_sign(tiles, result);
-                let extra = if none.is_some() && aim == Aim::Absolute { WORK_FOR_BOUNDS } else { 0 };
+                let extra = match aim {
+                    Aim::Absolute if none.is_some() => WORK_FOR_BOUNDS,
+                    Aim::Absolute if gain.is_none_or(is_large) => WORK_FOR_GAIN,
+                    _ => 0,
+                };
                 let Some(worst) = worst.filter(|_| !hopeless && *work < most + extra) else {
                     aims.remove(place);
                     next = next.map(|(other, worst)| (other - 1, worst));

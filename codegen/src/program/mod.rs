@@ -389,6 +389,40 @@ impl<C: Constant> Program<C> {
         }
     }
 
+    /// Gives the output `name` other values.
+    pub fn set_output(&mut self, name: &str, values: Vec<Value>) {
+        for output in self.outputs.iter_mut().filter(|output| output.name == name) {
+            output.values.clone_from(&values);
+        }
+    }
+
+    /// The same values as these of another program, with their operations added where they are not there.
+    pub fn import(&mut self, other: &Program<C>, values: &[Value]) -> Vec<Value> {
+        let mut known: BTreeMap<Value, Value> = BTreeMap::new();
+        for value in other.needed(values) {
+            let of = |value: &Value| known[value];
+            let same = match other.operation(value) {
+                Operation::Constant(constant) => self.constant(constant.clone()),
+                Operation::Input(Input::Symbol(place)) => self.symbol(&other.symbols[*place as usize]),
+                Operation::Input(input) => self.input(*input),
+                Operation::Add(a, b) => self.add(of(a), of(b)),
+                Operation::Subtract(a, b) => self.subtract(of(a), of(b)),
+                Operation::Multiply(a, b) => self.multiply(of(a), of(b)),
+                Operation::Divide(a, b) => self.divide(of(a), of(b)),
+                Operation::Negate(a) => self.negate(of(a)),
+                Operation::SquareRoot(a) => self.square_root(of(a)),
+                Operation::MultiplyAdd(a, b, c) => self.multiply_add(of(a), of(b), of(c)),
+                Operation::Orient(a, b) => self.orient(of(a), of(b)),
+                Operation::Scale(a, b, c) => self.scale(of(a), of(b), of(c)),
+            };
+            if let Some(name) = other.name_of(value) {
+                self.name(same, name);
+            }
+            known.insert(value, same);
+        }
+        values.iter().map(|value| known[value]).collect()
+    }
+
     /// The operations of all values, each after its operands.
     #[must_use]
     pub fn operations(&self) -> &[Operation<C>] {
@@ -576,6 +610,28 @@ mod tests {
             assert_eq!(a.join(b), joined);
             assert_eq!(b.join(a), joined);
         }
+    }
+
+    #[test]
+    fn imported_values_are_the_same() {
+        let mut other = Program::new();
+        let (u, c, two) = (other.input(Input::U), other.symbol("c"), other.constant(2.0));
+        let (sum, product) = (other.add(u, c), other.multiply(two, u));
+        let quotient = other.divide(sum, product);
+        other.name(product, "twice");
+        let mut program = Program::new();
+        let (v, two) = (program.input(Input::V), program.constant(2.0));
+        let u = program.input(Input::U);
+        let twice = program.multiply(two, u);
+        let before = program.operations().len();
+        let imported = program.import(&other, &[product, quotient]);
+        assert_eq!((imported[0], program.name_of(twice)), (twice, Some("twice")));
+        // The symbol, the sum and the quotient are new.
+        assert_eq!(program.operations().len(), before + 3);
+        program.output("result", vec![v]);
+        program.set_output("result", imported);
+        let numbers = Floats { u: 3.0, v: 0.0, symbols: &[6.0], variant: Variant::Plain };
+        assert_eq!(interpret(&program, program.results("result"), &numbers).unwrap(), [6.0, 1.5]);
     }
 
     #[test]
