@@ -4,13 +4,17 @@ use std::fmt::Write;
 
 use hodograph::Bounds;
 use hodograph_algebra::{Rational, integer};
-use hodograph_codegen::bound::{Proof, Rounding, prove};
+use hodograph_codegen::bound::{Precision, Proof, Rounding, prove};
 use hodograph_codegen::compile::{compile, exact_program};
+use hodograph_codegen::program::Variant;
 use hodograph_codegen::round::{exact, round};
 use hodograph_codegen::schedule::outputs;
 use hodograph_tests::catalogue::{Entry, entries};
+use hodograph_tests::fixed::Fixed;
+use hodograph_tests::oracle::Oracle;
+use hodograph_tests::random::SplitMix64;
 use hodograph_tests::search::{OUTPUTS, Search, bound_of, rounding_name, unit_roundoff};
-use hodograph_tests::surfaces::{Subject, concrete};
+use hodograph_tests::surfaces::{Subject, concrete, moved};
 
 /// Parameters that are tried of each surface, in each precision.
 const TRIED: usize = 600;
@@ -116,4 +120,81 @@ fn no_error_exceeds_its_bound() {
     println!("{table}");
     assert!(excesses.is_empty(), "{table}\nbeyond the bounds:\n{}", excesses.join("\n"));
     assert!(loose.is_empty(), "{table}\nfar from the errors:\n{}", loose.join("\n"));
+}
+
+/// Offsets at distances of all sizes, and the coordinates of points by themselves.
+#[test]
+fn offsets_are_within_their_bounds() {
+    for_each(|subject, entry, bounds| {
+        let (oracle, name) = (Oracle::new(&entry.derivation), subject.surface.name());
+        let mut random = SplitMix64::new(11);
+        for k in 0..48 {
+            let domain = subject.surface.domain();
+            let mut at =
+                |[first, last]: [f64; 2]| f64::from((first + (last - first) * random.next_f64()) as f32);
+            let (u, v, r) =
+                (at(domain.u), at(domain.v), [-0.25, 0.125, 7.0, -300.0, 0.0, 2.0_f64.powi(-100)][k % 6]);
+            let (truth, distance) = (oracle.at(u, v), Fixed::float(r).unwrap());
+            let Some(regular) = &truth.regular else { continue };
+            for (place, &rounding) in Rounding::ALL.iter().enumerate() {
+                let numbers = |task: &str| subject.surface.numbers(task, rounding, (u, v));
+                let (point, local) = (numbers("Point"), numbers("Local"));
+                let bound = |point: bool| match (point, rounding.precision) {
+                    (true, Precision::Double) => [bounds.offset_point::<f64>(variant(rounding), r); 3],
+                    (true, Precision::Single) => [bounds.offset_point::<f32>(variant(rounding), r); 3],
+                    (false, Precision::Double) => bounds.offset_first_order::<f64>(variant(rounding), r),
+                    (false, Precision::Single) => bounds.offset_first_order::<f32>(variant(rounding), r),
+                };
+                let cases = [
+                    (
+                        moved(&point, &numbers("Normal"), r, rounding),
+                        &truth.point,
+                        &regular.unit_normal,
+                        bound(true)[0],
+                    ),
+                    (
+                        moved(&local[..3], &local[18..21], r, rounding),
+                        &truth.point,
+                        &regular.unit_normal,
+                        bound(false)[0],
+                    ),
+                    (
+                        moved(&local[3..6], &local[33..36], r, rounding),
+                        &truth.partial_u,
+                        &regular.normal_u,
+                        bound(false)[1],
+                    ),
+                    (
+                        moved(&local[6..9], &local[36..39], r, rounding),
+                        &truth.partial_v,
+                        &regular.normal_v,
+                        bound(false)[2],
+                    ),
+                ];
+                for (found, a, b, bound) in cases {
+                    assert!(bound.is_finite(), "{name}, {}", rounding_name(rounding));
+                    for i in 0..3 {
+                        let error = a[i].add(&distance.mul(&b[i])).gap(found[i]);
+                        assert!(error <= bound, "{name} at ({u:?}, {v:?}), r = {r:e}: {error:e} > {bound:e}");
+                    }
+                }
+                // A bound for each coordinate, none larger than that of the point.
+                for (i, coordinate) in bounds.coordinates.iter().enumerate() {
+                    assert!(coordinate[place] <= bounds.point.errors[place], "{name}");
+                    assert!(truth.point[i].gap(point[i]) <= coordinate[place], "{name} at ({u:?}, {v:?})");
+                    assert!(
+                        point[i].abs() <= bounds.point.most + coordinate[place],
+                        "{name} at ({u:?}, {v:?})"
+                    );
+                }
+            }
+        }
+    });
+}
+
+fn variant(rounding: Rounding) -> hodograph::Variant {
+    match rounding.variant {
+        Variant::Plain => hodograph::Variant::Plain,
+        Variant::Fused => hodograph::Variant::Fused,
+    }
 }

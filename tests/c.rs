@@ -18,7 +18,7 @@ use hodograph_tests::catalogue::{Formulas, files};
 use hodograph_tests::points::{Points, rounded};
 use hodograph_tests::random::SplitMix64;
 use hodograph_tests::search::bound_of;
-use hodograph_tests::surfaces::{Evaluator, Subject, all};
+use hodograph_tests::surfaces::{Evaluator, Subject, all, moved};
 
 /// Points of each surface, in each precision.
 const POINTS: usize = 200;
@@ -163,17 +163,6 @@ impl Function {
             Undefined::Overflow
         })
     }
-}
-
-/// Each of `numbers`, and `r` times the one along it.
-fn moved(numbers: &[f64], along: &[f64], r: f64, Rounding { precision, variant }: Rounding) -> Vec<f64> {
-    let moved = |(&x, &n): (&f64, &f64)| match (precision, variant) {
-        (Precision::Double, Variant::Plain) => r * n + x,
-        (Precision::Double, Variant::Fused) => r.mul_add(n, x),
-        (Precision::Single, Variant::Plain) => f64::from(r as f32 * n as f32 + x as f32),
-        (Precision::Single, Variant::Fused) => f64::from((r as f32).mul_add(n as f32, x as f32)),
-    };
-    numbers.iter().zip(along).map(moved).collect()
 }
 
 /// What the runtime's method gives.

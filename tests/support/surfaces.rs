@@ -21,6 +21,18 @@ pub trait Evaluator: Surface {
     fn numbers(&self, task: &str, rounding: Rounding, parameters: (f64, f64)) -> Vec<f64>;
 }
 
+/// The numbers moved along others by `r`, x + r·n, by the operation that the runtime has for offsets.
+#[must_use]
+pub fn moved(numbers: &[f64], along: &[f64], r: f64, Rounding { precision, variant }: Rounding) -> Vec<f64> {
+    let moved = |(&x, &n): (&f64, &f64)| match (precision, variant) {
+        (Precision::Double, Variant::Plain) => r * n + x,
+        (Precision::Double, Variant::Fused) => r.mul_add(n, x),
+        (Precision::Single, Variant::Plain) => f64::from(r as f32 * n as f32 + x as f32),
+        (Precision::Single, Variant::Fused) => f64::from((r as f32).mul_add(n as f32, x as f32)),
+    };
+    numbers.iter().zip(along).map(moved).collect()
+}
+
 impl<S: Sweep> Evaluator for S {
     fn numbers(
         &self,

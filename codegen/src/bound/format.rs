@@ -271,6 +271,8 @@ impl Format {
     fn passed_sum(&self, of_a: &Error, of_b: &Error, agree: bool) -> Error {
         let relative = match agree {
             true => of_a.relative.max(of_b.relative),
+            // A difference of floats is rounded, and nothing else.
+            false if of_a.is_none() && of_b.is_none() => Relative::NONE,
             false => Relative::UNKNOWN,
         };
         let tiny = if agree { of_a.tiny.plus(of_b.tiny) } else { Dyadic::ZERO };
