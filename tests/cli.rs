@@ -120,6 +120,78 @@ fn verify_says_what_is_expected_by_its_status() {
     }
 }
 
+const EXPLAINED: &str = "\
+lemma square {
+    source \"a book\";
+    symbol a, b;
+    let f(v) = (a + b*v)^2;
+    claim \"A-1,2\": f == a^2 + b^2*v^2, \"as printed\", effect major \"areas are too small\", expect refuted;
+    claim \"A-1,2\": f == a^2 + 2*a*b*v + b^2*v^2, instead \"with the mixed product\";
+    claim \"other\": 1 + 1 == 2;
+}
+";
+
+#[test]
+fn verify_explains_a_claim() {
+    let explain = |arguments: &[&str]| {
+        run_with(EXPLAINED.as_bytes(), &[&["verify", "-", "--explain"], arguments].concat())
+    };
+    let run = explain(&["A-1,2"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    for part in [
+        "A-1,2: refuted, as expected",
+        "lemma square in <standard input>: a book",
+        "definition     let f(v) = (a + b*v)^2",
+        "left side      f = (b*v + a)^2",
+        "difference     2*a*b*v",
+        "what is right  f == a^2 + 2*a*b*v + b^2*v^2",
+        "A-1,2: 1 proved, 1 refuted, 0 undecided",
+    ] {
+        assert!(run.out.contains(part), "{part}: {}", run.out);
+    }
+    assert!(!run.out.contains("1 + 1"), "{}", run.out);
+
+    let run = explain(&["A-1,2", "--format", "json"]);
+    let json = run.json(0);
+    assert_eq!((&json["schema"], json["claims"].as_array().map(Vec::len)), (&Value::from(1), Some(2)));
+    let steps = json["claims"][0]["steps"].as_array().cloned().unwrap_or_default();
+    assert_eq!(keys(&run.out, &steps[0]), ["what", "formula", "because"]);
+    let last = steps.last().cloned().unwrap_or_default();
+    assert_eq!((&last["what"], &last["formula"]), (&Value::from("verdict"), &Value::from("refuted")));
+
+    explain(&["a-1"]).refused("there is no claim `a-1`");
+    assert!(explain(&["a-1"]).err.contains("there are A-1,2"));
+    assert!(explain(&["othr"]).err.contains("did you mean `other`?"));
+    assert!(explain(&["nothing like it"]).err.contains("the ids are A-1,2, other"));
+    assert_eq!(run_with(b"lemma l { claim \"x\": 1 == 2; }", &["verify", "-", "--explain", "x"]).status, 1);
+    assert_eq!(run(&["verify", "--full"]).status, 2);
+}
+
+#[test]
+fn verify_explains_claims_of_the_catalogue() {
+    let run = run(&["verify", "--explain", "FN-Ex1-rho"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("number         sqrt(norm2(s(1/2))) = 4/5*sqrt2"), "{}", run.out);
+}
+
+#[test]
+fn errors_of_sources_are_a_page() {
+    let page = run_with(EXPLAINED.as_bytes(), &["errors", "-"]);
+    assert_eq!((page.status, page.err.as_str()), (0, ""));
+    for part in [
+        "| major | [A-1,2](#a-12) | a book | as printed |",
+        "## A-1,2\n\nSeverity: major.",
+        "**Printed** (a book): as printed.\n\n```text\nf == a^2 + b^2*v^2\n```",
+        "difference: 2*a*b*v   // not the zero function",
+        "with the mixed product.\n\n```text\nf == a^2 + 2*a*b*v + b^2*v^2\n```",
+        "**Effect.** Areas are too small.",
+    ] {
+        assert!(page.out.contains(part), "{part}: {}", page.out);
+    }
+    let wrong = b"lemma l { claim \"x\": 1 == 1, expect refuted; }";
+    run_with(wrong, &["errors", "-"]).refused("this is expected to be refuted, but it is proved");
+}
+
 #[test]
 fn verify_writes_json() {
     let input = "lemma l { source \"a book\"; symbol a; claim \"x\": a == a^2, expect refuted; claim \"y\": a == 1, when a == 1; }";

@@ -10,6 +10,7 @@ mod choice;
 pub mod compile;
 pub mod emit;
 pub mod expansion;
+pub mod formula;
 pub mod language;
 pub mod meaning;
 mod offset;

@@ -40,7 +40,7 @@
 //!
 //! Without the default feature `std` the library is `no_std`, and its square roots come from `libm` (feature `libm`).
 //! The feature `rayon` evaluates grids on several threads, `Batch::parallel_grid`; `sources` adds the text of the catalogue's
-//! formulas.
+//! formulas, and the page of the errors that were found in the papers.
 //!
 //! With `std` on x86-64, evaluators use fused multiply-add and AVX2 where the machine has both, and AVX-512 where that is faster.
 //! Elsewhere they use what the build assumes of the machine. A build for the machine (`-C target-cpu=native`) makes single
@@ -59,6 +59,8 @@ pub mod bernstein;
 mod bounds;
 pub mod catalogue;
 mod dispatch;
+#[cfg(feature = "sources")]
+pub mod errors;
 pub mod family;
 pub mod float;
 #[cfg_attr(

@@ -51,10 +51,13 @@ pub fn text(judgements: &[Judgement]) -> String {
         }
         text.push('\n');
         let notes = judgement.notes.join("; ");
+        let effect = judgement.effect.as_ref().map(|(severity, text)| format!("{severity}: {text}"));
         let lines = [
             ("claim", Some(judgement.statement.as_str())),
             ("when", judgement.condition.as_deref()),
             ("note", Some(notes.as_str()).filter(|notes| !notes.is_empty())),
+            ("instead", judgement.instead.as_deref()),
+            ("effect", effect.as_deref()),
             ("scope", Some(judgement.scope.as_str())),
             ("derived", Some(judgement.derived.as_str())),
             ("witness", judgement.witness.as_deref()),

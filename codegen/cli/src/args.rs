@@ -36,6 +36,8 @@ pub(crate) enum Command {
     Eval(EvalArguments),
     /// Write the generated source of a surface's evaluator
     Emit(EmitArguments),
+    /// Write a page of all claims of sources that are refuted, with what is right
+    Errors(ErrorsArguments),
 }
 
 /// Where formulas come from.
@@ -77,6 +79,12 @@ pub(crate) struct VerifyArguments {
     /// there are none
     #[arg(value_name = "FILE|NAME")]
     pub inputs: Vec<String>,
+    /// Show how the verdicts on the claim of this id come about, step by step
+    #[arg(long, value_name = "ID")]
+    pub explain: Option<String>,
+    /// Write long formulas out
+    #[arg(long, requires = "explain")]
+    pub full: bool,
     /// The form of the result
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -134,6 +142,23 @@ pub(crate) struct EmitArguments {
     /// Put in what the source needs of the run-time library, so that it depends on nothing
     #[arg(long)]
     pub standalone: bool,
+    /// The file to write, instead of standard output
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+    /// Write nothing; compare the file with what would be written
+    #[arg(long, requires = "output")]
+    pub check: bool,
+    #[command(flatten)]
+    pub budget: Budget,
+}
+
+/// `hodograph errors`
+#[derive(Debug, Args)]
+pub(crate) struct ErrorsArguments {
+    /// Files in the sweep language, `-` for standard input, or names of entries of the catalogue; the whole catalogue if
+    /// there are none
+    #[arg(value_name = "FILE|NAME")]
+    pub inputs: Vec<String>,
     /// The file to write, instead of standard output
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,

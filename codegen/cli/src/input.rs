@@ -126,10 +126,36 @@ pub(crate) fn load(input: &str, limit: u64) -> Result<Document, Failure> {
 /// # Errors
 /// Mistakes in a formula of the catalogue.
 pub(crate) fn catalogue(limit: u64) -> Result<Vec<Document>, Failure> {
-    hodograph::sources()
-        .iter()
-        .map(|source| document(&file_name(source.name), source.text.as_bytes(), limit, catalogued))
-        .collect()
+    selection(limit, |_| true)
+}
+
+/// The documents of the catalogue whose syntax trees are `wanted`: only their definitions are evaluated.
+///
+/// # Errors
+/// Mistakes in a formula of the catalogue.
+pub(crate) fn selection(
+    limit: u64,
+    mut wanted: impl FnMut(&ast::File) -> bool,
+) -> Result<Vec<Document>, Failure> {
+    let mut documents = Vec::new();
+    for source in hodograph::sources() {
+        let name = file_name(source.name);
+        if wanted(&parse_text(&name, source.text)?.0) {
+            documents.push(document(&name, source.text.as_bytes(), limit, catalogued)?);
+        }
+    }
+    Ok(documents)
+}
+
+/// All claims of a syntax tree, each with the name of its item.
+pub(crate) fn claims(file: &ast::File) -> impl Iterator<Item = (&str, &ast::Claim)> {
+    file.items.iter().flat_map(|item| {
+        let claims = item.clauses.iter().filter_map(|clause| match &clause.kind {
+            ast::ClauseKind::Claim(claim) => Some(claim),
+            _ => None,
+        });
+        claims.map(|claim| (item.name.value.as_str(), claim))
+    })
 }
 
 /// The documents at all inputs, as [`load`] gives them.

@@ -9,10 +9,12 @@ mod console;
 mod decimal;
 mod derive;
 mod emit;
+mod errors;
 mod eval;
 mod failure;
 mod input;
 mod layout;
+mod output;
 mod radical;
 mod verify;
 
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Emit(arguments) => emit::run(&arguments),
+        Command::Errors(arguments) => errors::run(&arguments),
     };
     outcome.unwrap_or_else(|failure| {
         console::report(&failure);

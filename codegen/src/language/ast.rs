@@ -245,7 +245,7 @@ pub struct Interval {
     pub end: Expr,
 }
 
-/// `claim "id": relation, "note", expect refuted, when condition;`
+/// `claim "id": relation, "note", instead "…", effect major "…", expect refuted, when condition;`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
     /// The claim's id, which need not be unique.
@@ -254,10 +254,45 @@ pub struct Claim {
     pub relation: Expr,
     /// Remarks.
     pub notes: Vec<Spanned<String>>,
+    /// What this says in place of refuted claims with the same id, if it does.
+    pub instead: Option<Spanned<String>>,
+    /// What a mistake in it means for whoever uses it.
+    pub effect: Option<Effect>,
     /// The verdict that is expected, if the source says so.
     pub expected: Option<Spanned<Verdict>>,
     /// Under which conditions it is claimed.
     pub conditions: Vec<Expr>,
+}
+
+/// What a mistake means for whoever uses what is claimed: `effect major "…"`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// How grave it is.
+    pub severity: Spanned<Severity>,
+    /// What it means.
+    pub text: Spanned<String>,
+}
+
+/// How grave a mistake is, gravest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Whoever computes with what is claimed gets another surface, or a wrong value.
+    Major,
+    /// What is claimed holds under a condition that is not stated.
+    Moderate,
+    /// A number is misprinted, or nobody computes with it.
+    Minor,
+}
+
+impl fmt::Display for Severity {
+    /// The word that the language has for it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Major => "major",
+            Severity::Moderate => "moderate",
+            Severity::Minor => "minor",
+        })
+    }
 }
 
 /// What became of a claim.

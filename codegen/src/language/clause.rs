@@ -1,15 +1,16 @@
 //! Recursive descent through the clauses of an item.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use super::ast::{
-    Claim, Clause, ClauseKind, Curve, CurveRole, Definition, Function, Interval, Name, Preference, Spanned,
-    Surface, Verdict,
+    Claim, Clause, ClauseKind, Curve, CurveRole, Definition, Effect, Function, Interval, Name, Preference,
+    Severity, Spanned, Surface, Verdict,
 };
 use super::diagnostic::Diagnostic;
 use super::parser::{KEYWORDS, Parsed, Parser};
 use super::suggest::closest;
-use super::token::{TokenKind, shortened};
+use super::token::{Span, TokenKind, shortened};
 
 impl Parser<'_> {
     /// One clause, its `;` included.
@@ -198,7 +199,7 @@ impl Parser<'_> {
         Ok(Interval { parameter, start, end: self.sum()? })
     }
 
-    /// `"id": relation, "note", expect refuted, when condition`
+    /// `"id": relation, "note", instead "…", effect major "…", expect refuted, when condition`
     fn claim(&mut self) -> Parsed<Claim> {
         let id = self.text("the claim's id")?;
         if id.value.trim().is_empty() {
@@ -206,7 +207,15 @@ impl Parser<'_> {
         }
         self.expect(&TokenKind::Colon)?;
         let relation = self.expression()?;
-        let mut claim = Claim { id, relation, notes: vec![], expected: None, conditions: vec![] };
+        let mut claim = Claim {
+            id,
+            relation,
+            notes: vec![],
+            instead: None,
+            effect: None,
+            expected: None,
+            conditions: vec![],
+        };
         while *self.peek() == TokenKind::Comma {
             self.advance();
             match self.peek() {
@@ -225,10 +234,27 @@ impl Parser<'_> {
                     self.advance();
                     claim.conditions.push(self.expression()?);
                 }
+                TokenKind::Ident(word) if word == "instead" => {
+                    let start = self.advance();
+                    let text = self.text("what holds in place of a refuted claim,")?;
+                    if let Some(first) = &claim.instead {
+                        return self.twice("`instead`", start.to(text.span), first.span);
+                    }
+                    claim.instead = Some(text);
+                }
+                TokenKind::Ident(word) if word == "effect" => {
+                    let start = self.advance();
+                    let severity = self.severity()?;
+                    let text = self.text("what the mistake means for whoever uses this,")?;
+                    if let Some(first) = &claim.effect {
+                        return self.twice("`effect`", start.to(text.span), first.text.span);
+                    }
+                    claim.effect = Some(Effect { severity, text });
+                }
                 other => {
                     let wrong = self.expected("a note in double quotes, `expect …` or `when …`");
                     let word = if let TokenKind::Ident(word) = other { word.as_str() } else { "" };
-                    return self.fail(match closest(word, ["expect", "when"]) {
+                    return self.fail(match closest(word, ["expect", "when", "instead", "effect"]) {
                         Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                         None => wrong,
                     });
@@ -236,8 +262,7 @@ impl Parser<'_> {
             }
         }
         if matches!(self.peek(), TokenKind::Str(_))
-            || self.peek().is_word("expect")
-            || self.peek().is_word("when")
+            || ["expect", "when", "instead", "effect"].into_iter().any(|word| self.peek().is_word(word))
         {
             let wrong = self.expected("`,` or `;`");
             return self.fail(wrong.help("the parts of a claim are separated by commas"));
@@ -245,14 +270,29 @@ impl Parser<'_> {
         Ok(claim)
     }
 
+    fn twice<T>(&mut self, what: &str, again: Span, first: Span) -> Parsed<T> {
+        let wrong = Diagnostic::new(again, format!("a claim has two parts {what}"));
+        self.fail(wrong.also(first, "the first of them"))
+    }
+
     fn verdict(&mut self) -> Parsed<Spanned<Verdict>> {
-        const ALL: [Verdict; 3] = [Verdict::Proved, Verdict::Refuted, Verdict::Undecided];
+        self.one_of([Verdict::Proved, Verdict::Refuted, Verdict::Undecided])
+    }
+
+    fn severity(&mut self) -> Parsed<Spanned<Severity>> {
+        self.one_of([Severity::Major, Severity::Moderate, Severity::Minor])
+    }
+
+    /// One of three words.
+    fn one_of<T: Copy + Display>(&mut self, all: [T; 3]) -> Parsed<Spanned<T>> {
         let word = if let TokenKind::Ident(word) = self.peek() { word.as_str() } else { "" };
-        match ALL.into_iter().find(|verdict| verdict.to_string() == word) {
-            Some(value) => Ok(Spanned { value, span: self.advance() }),
+        let words = all.each_ref().map(T::to_string);
+        match all.into_iter().zip(&words).find(|(_, known)| known.as_str() == word) {
+            Some((value, _)) => Ok(Spanned { value, span: self.advance() }),
             None => {
-                let wrong = self.expected("`proved`, `refuted` or `undecided`");
-                self.fail(match closest(word, ["proved", "refuted", "undecided"]) {
+                let [first, second, third] = &words;
+                let wrong = self.expected(&format!("`{first}`, `{second}` or `{third}`"));
+                self.fail(match closest(word, words.iter().map(String::as_str)) {
                     Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                     None => wrong,
                 })

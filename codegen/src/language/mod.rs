@@ -11,8 +11,11 @@
 //!            | "surface" name [ "(" name "," name ")" ] "=" expression
 //!            | "prefer" ("fast" | "accurate")
 //!            | "domain" name "in" sum ".." sum { "," … }
-//!            | "claim" text ":" expression { "," (text | "expect" verdict | "when" expression) }
+//!            | "claim" text ":" expression { "," remark }
 //!            | "substitute" name [ "(" names ")" ] "=" expression
+//! remark     = text | "expect" verdict | "when" expression | "instead" text | "effect" severity text
+//! verdict    = "proved" | "refuted" | "undecided"
+//! severity   = "major" | "moderate" | "minor"
 //! expression = { "not" } sum [ ("==" | "!=" | "<" | "<=" | ">" | ">=") sum ]
 //! sum        = product { ("+" | "-") product }
 //! product    = unary { ("*" | "/") unary }

@@ -75,6 +75,11 @@ impl Assumptions {
         Assumptions { scope, inequalities: self.inequalities.clone(), samples: OnceCell::new() }
     }
 
+    /// No assumptions.
+    pub(super) fn none(scope: &Scope) -> Assumptions {
+        Assumptions { scope: scope.clone(), inequalities: Vec::new(), samples: OnceCell::new() }
+    }
+
     /// The polynomials of which the inequalities say that they do not vanish.
     pub(super) fn nonzero(&self) -> Vec<Poly> {
         let excluding = self.inequalities.iter().filter(|inequality| !inequality.allows(Ordering::Equal));

@@ -10,7 +10,7 @@ use hodograph_algebra::{
 
 use super::calls::Call;
 use super::fault::Fault;
-use super::scope::Scope;
+use super::scope::{COORDINATES, Scope};
 use super::value::{ComplexFraction, DegreeValue, Value};
 use super::{curves, roots, spatial, surfaces};
 use crate::language::Span;
@@ -427,14 +427,19 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
     if exprs.is_empty() {
         return Err(Fault::new(call.span, "`degree` needs the polynomials whose degree is meant"));
     }
-    let mut polys = Vec::new();
+    let mut polynomials: Vec<(String, Poly)> = Vec::new();
     for expr in exprs {
         match scope.evaluate(expr)?.scalar() {
-            Some(_) => polys.push(polynomial(scope, expr)?),
-            None => polys.extend(homogeneous(scope, call, expr)?.coordinates().iter().cloned()),
+            Some(_) => polynomials.push((expr.to_string(), polynomial(scope, expr)?)),
+            None => {
+                let coordinates = homogeneous(scope, call, expr)?.coordinates().clone();
+                let names = COORDINATES.map(|coordinate| format!("homogeneous({expr}).{coordinate}"));
+                polynomials.extend(names.into_iter().zip(coordinates));
+            }
         }
     }
-    let mut variables: Vec<Variable> = polys.iter().flat_map(Poly::occurring_variables).collect();
+    let polys = || polynomials.iter().map(|(_, poly)| poly);
+    let mut variables: Vec<Variable> = polys().flat_map(Poly::occurring_variables).collect();
     variables.sort();
     variables.dedup();
     if let Some(function) = variables.iter().find(|variable| scope.calculus.is_function(variable)) {
@@ -443,11 +448,11 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             Fault::new(call.span, message).help("write a polynomial with symbols for its coefficients")
         );
     }
-    let value = |degrees| Ok(Value::Degree(Rc::new(DegreeValue { degrees, variables })));
     if let Some(by) = by {
         let by = parameter(scope, by)?;
-        let degree = polys.iter().map(|poly| poly.degree(&by).map_or(-1, i64::from)).max().unwrap_or(-1);
-        return value(vec![degree]);
+        let degree = polys().map(|poly| poly.degree(&by).map_or(-1, i64::from)).max().unwrap_or(-1);
+        let value = DegreeValue { degrees: vec![degree], variables, parameters: vec![by], polynomials };
+        return Ok(Value::Degree(Rc::new(value)));
     }
     if scope.surface.is_none() && scope.parameters.len() != 2 {
         let known: Vec<&str> = scope.parameters.iter().map(Variable::name).collect();
@@ -457,6 +462,8 @@ fn degree(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
             if known.is_empty() { "none".to_owned() } else { known.join(", ") }
         )));
     }
-    let Bidegree { u, v } = Bidegree::of_group(&polys, &surface_parameters(scope));
-    value(vec![u, v])
+    let parameters = surface_parameters(scope);
+    let Bidegree { u, v } = Bidegree::of_group(polys(), &parameters);
+    let value = DegreeValue { degrees: vec![u, v], variables, parameters: parameters.to_vec(), polynomials };
+    Ok(Value::Degree(Rc::new(value)))
 }

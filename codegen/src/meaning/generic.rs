@@ -179,7 +179,7 @@ fn definition<'a>(scope: &'a Scope, name: &str) -> Option<&'a Expr> {
 }
 
 /// The expression that a name stands for, and what that is if it is a name again.
-fn resolved<'a>(scope: &'a Scope, expr: &'a Expr) -> &'a Expr {
+pub(super) fn resolved<'a>(scope: &'a Scope, expr: &'a Expr) -> &'a Expr {
     match expr.kind() {
         // Clauses only use names that are defined before them, so this ends.
         ExprKind::Ident(name) => definition(scope, name).map_or(expr, |value| resolved(scope, value)),
@@ -188,7 +188,7 @@ fn resolved<'a>(scope: &'a Scope, expr: &'a Expr) -> &'a Expr {
 }
 
 /// The function's name and the arguments of a call.
-fn called(expr: &Expr) -> Option<(&str, &[Argument])> {
+pub(super) fn called(expr: &Expr) -> Option<(&str, &[Argument])> {
     match expr.kind() {
         ExprKind::Call { callee, arguments } => match callee.kind() {
             ExprKind::Ident(name) => Some((name, arguments)),

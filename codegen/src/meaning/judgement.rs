@@ -8,13 +8,15 @@ use hodograph_algebra::{BoxSign, Interval, SweptSurface, Variable, budget};
 use super::assumptions::Assumptions;
 use super::expression::shortened;
 use super::fault::Fault;
+use super::finding::Finding;
+use super::generality;
 use super::generic;
 use super::item::{Model, check_names};
 use super::pieces;
-use super::relation::{self, Finding};
+use super::relation;
 use super::scope::Scope;
 use super::surfaces;
-use crate::language::ast::{Claim, ClauseKind, Expr, ExprKind, ItemKind, Verdict};
+use crate::language::ast::{Claim, ClauseKind, Expr, ExprKind, Severity, Verdict};
 use crate::language::{Diagnostic, Diagnostics};
 
 /// What became of one claim.
@@ -48,6 +50,10 @@ pub struct Judgement {
     pub statement: String,
     /// The notes of the claim.
     pub notes: Vec<String>,
+    /// What it says in place of refuted claims with the same id, if it does.
+    pub instead: Option<String>,
+    /// What a mistake in it means for whoever uses it, and how grave that is.
+    pub effect: Option<(Severity, String)>,
     /// The verdict.
     pub verdict: Verdict,
     /// For what the verdict holds.
@@ -63,13 +69,37 @@ pub struct Judgement {
     pub witness: Option<String>,
 }
 
+/// A judgement with all that it was made from.
+pub(super) struct Judged {
+    pub judgement: Judgement,
+    pub finding: Finding,
+    pub assumptions: Assumptions,
+    /// The conditions, each with where it comes from.
+    pub conditions: Vec<(Origin, String)>,
+}
+
+/// Where a condition of a judgement comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// The claim states it.
+    Claim,
+    /// A polynomial of the symbols has a real square root.
+    Radical,
+    /// The root that is taken for a parametric speed is positive.
+    Speed,
+    /// The unit normal is on the side that was taken.
+    Side,
+    /// No leading coefficient vanishes, and no new common factor appears.
+    General,
+}
+
 impl Model {
     /// Checks one claim under a budget.
     ///
     /// # Errors
     /// A mistake in the claim. A claim that needs more than the budget is *undecided*, not a mistake.
     pub fn check(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
-        self.judge(claim, limit, true)
+        Ok(self.judge(claim, limit, true)?.judgement)
     }
 
     /// Checks one claim as [`Model::check`] does, for the verdict alone: the condition leaves out the values of symbols at
@@ -78,10 +108,16 @@ impl Model {
     /// # Errors
     /// As for [`Model::check`].
     pub fn check_verdict(&self, claim: &Claim, limit: u64) -> Result<Judgement, Box<Diagnostic>> {
-        self.judge(claim, limit, false)
+        Ok(self.judge(claim, limit, false)?.judgement)
     }
 
-    fn judge(&self, claim: &Claim, limit: u64, with_exceptions: bool) -> Result<Judgement, Box<Diagnostic>> {
+    /// Checks one claim; `with_exceptions` asks for the values of symbols at which what holds in general may fail.
+    pub(super) fn judge(
+        &self,
+        claim: &Claim,
+        limit: u64,
+        with_exceptions: bool,
+    ) -> Result<Judged, Box<Diagnostic>> {
         let outcome = budget::with_budget(limit, || {
             let assumptions = Assumptions::of(&self.scope, &claim.conditions)?;
             check_names_at_once(&assumptions.scope, &claim.relation)?;
@@ -101,40 +137,46 @@ impl Model {
             Ok(Err(fault)) => return Err(fault.diagnostic),
             Err(exhausted) => (None, Finding::undecided(exhausted.to_string())),
         };
-        let mut conditions: Vec<String> = claim.conditions.iter().map(ToString::to_string).collect();
-        conditions.extend(finding.conditions.iter().cloned());
+        let mut conditions: Vec<(Origin, String)> = Vec::new();
+        let mut add = |origin: Origin, more: Vec<String>| {
+            conditions.extend(more.into_iter().map(|condition| (origin, condition)));
+        };
+        add(Origin::Claim, claim.conditions.iter().map(ToString::to_string).collect());
+        add(Origin::Radical, finding.conditions.clone());
         let scope = assumptions.as_ref().map_or(&self.scope, |assumptions| &assumptions.scope);
-        conditions.extend(self.speed_conditions(scope, &claim.relation));
+        add(Origin::Speed, self.speed_conditions(scope, &claim.relation));
         if with_exceptions {
-            conditions.extend(side_conditions(scope, &claim.relation));
+            add(Origin::Side, side_conditions(scope, &claim.relation));
         }
-        if let (Some(assumptions), true) = (assumptions, with_exceptions)
+        if let (Some(assumptions), true) = (&assumptions, with_exceptions)
             && finding.verdict != Verdict::Undecided
             && !assumptions.scope.symbols.is_empty()
         {
             let nonzero = assumptions.nonzero();
-            conditions.extend(generic::conditions(
-                &assumptions.scope,
-                &claim.relation,
-                finding.general,
-                &nonzero,
-            ));
+            let exceptions =
+                generic::conditions(&assumptions.scope, &claim.relation, finding.general, &nonzero);
+            add(Origin::General, exceptions);
         }
         let mut stated = BTreeSet::new();
-        conditions.retain(|condition| stated.insert(condition.clone()));
-        Ok(Judgement {
+        conditions.retain(|(_, condition)| stated.insert(condition.clone()));
+        let texts: Vec<&str> = conditions.iter().map(|(_, condition)| condition.as_str()).collect();
+        let judgement = Judgement {
             id: claim.id.value.clone(),
             sweep: self.item_name().to_owned(),
             source: self.source.clone(),
             statement: claim.relation.to_string(),
             notes: claim.notes.iter().map(|note| note.value.clone()).collect(),
+            instead: claim.instead.as_ref().map(|text| text.value.clone()),
+            effect: claim.effect.as_ref().map(|effect| (effect.severity.value, effect.text.value.clone())),
             verdict: finding.verdict,
-            scope: self.scope_of(&finding),
-            condition: (!conditions.is_empty()).then(|| conditions.join(" and ")),
+            scope: generality::of(self, scope, &claim.relation, &finding),
+            condition: (!texts.is_empty()).then(|| texts.join(" and ")),
             expected: claim.expected.as_ref().map_or(Verdict::Proved, |expected| expected.value),
-            derived: finding.derived,
-            witness: finding.witness.filter(|_| finding.verdict == Verdict::Refuted),
-        })
+            derived: finding.derived.clone(),
+            witness: finding.witness.clone().filter(|_| finding.verdict == Verdict::Refuted),
+        };
+        let assumptions = assumptions.unwrap_or_else(|| Assumptions::none(&self.scope));
+        Ok(Judged { judgement, finding, assumptions, conditions })
     }
 
     /// What must be positive for the curves that a relation is about to have the parametric speed that was used.
@@ -149,43 +191,6 @@ impl Model {
         let concerned = curves.iter().filter(|(name, _)| all || names.contains(name));
         let conditions = concerned.filter_map(|(_, curve)| curve.speed_condition());
         conditions.map(|condition| format!("{} > 0", shortened(&condition.to_string()))).collect()
-    }
-
-    /// For what a finding holds, in words.
-    fn scope_of(&self, finding: &Finding) -> String {
-        let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
-        let is_unknown = |variable: &&Variable| !self.scope.parameters.contains(variable);
-        let mut unknowns: Vec<Variable> = finding.variables.iter().filter(is_unknown).cloned().collect();
-        // Where all unknowns cancel, the finding is about each of them.
-        if finding.variables.is_empty() && self.kind == ItemKind::Lemma {
-            unknowns = self.scope.unknowns();
-        }
-        for variable in &unknowns {
-            match self.scope.owner(variable) {
-                Some((name, true)) => curves.push(name),
-                Some((name, false)) => functions.push(name),
-                // Radicals of numbers and of symbols are no unknowns of their own.
-                None if self.scope.symbols.contains(variable) => symbols.push(variable.name()),
-                None => {}
-            }
-        }
-        let mut parts = Vec::new();
-        let every = if finding.general { "a general" } else { "every" };
-        let all = if finding.general { "general" } else { "all" };
-        for (role, names) in [("functions ", &mut functions), ("", &mut symbols)] {
-            names.sort_unstable();
-            names.dedup();
-            if !names.is_empty() {
-                parts.push(format!("{all} {role}{}", names.join(", ")));
-            }
-        }
-        curves.dedup();
-        parts.extend(curves.iter().map(|curve| format!("{every} curve {curve}")));
-        match (parts.is_empty(), self.kind) {
-            (false, _) => parts.join(" and "),
-            (true, ItemKind::Sweep) => format!("the sweep {}", self.item_name()),
-            (true, ItemKind::Lemma) => format!("the data of the lemma {}", self.name),
-        }
     }
 }
 

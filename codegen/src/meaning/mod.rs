@@ -649,7 +649,7 @@
 //!
 //! `claim "id": relation, "note", expect refuted, when c == 1;` settles a relation. After it stand, in any order,
 //! remarks, the verdict that is expected (*proved* if none is given), and conditions; see *Conditions*. Ids need not be
-//! unique.
+//! unique. Two kinds of remarks have a word before them, for the reader of a source that is wrong; see *Errors of sources*.
 //!
 //! | relation | holds if |
 //! | --- | --- |
@@ -750,6 +750,50 @@
 //! assert_eq!(conditions[3..], ["", "c - 1 != 0"]);
 //! ```
 //!
+//! ## Errors of sources
+//!
+//! A claim that a source makes and that does not hold is stated as the source has it, with `expect refuted`.
+//!
+//! - `effect major "…"` says what the mistake means for whoever uses what is claimed, and how grave that is: `major` if one
+//!   gets another surface or a wrong value; `moderate` if a condition is missing, or what is possible is missed; `minor` if a
+//!   number is misprinted, or nothing is computed from it.
+//! - `instead "…"` marks a further claim of the same id as what holds in place of those that are refuted, and says in words
+//!   what differs. It is proved like any other.
+//!
+//! The command `hodograph errors` makes a page of them: [`Judgement::effect`], [`Judgement::instead`]. How a verdict comes
+//! about, step by step, is what [`Model::explain`] says.
+//!
+//! ```
+//! use hodograph_codegen::language::{ast::{Severity, Verdict}, parse_text};
+//! use hodograph_codegen::meaning::models;
+//!
+//! let text = r#"lemma square {
+//!     claim "(1)": (1 + 2)^2 == 1^2 + 2^2, "as printed", effect major "areas come out too small", expect refuted;
+//!     claim "(1)": (1 + 2)^2 == 1^2 + 2*1*2 + 2^2, instead "with the mixed product";
+//! }"#;
+//! let (models, _mistakes) = models(&parse_text("square.sweep", text).unwrap().0);
+//! let judge = |index: usize| models[0].check(&models[0].claims[index], u64::MAX).unwrap();
+//! let (printed, right) = (judge(0), judge(1));
+//! assert_eq!(printed.effect, Some((Severity::Major, "areas come out too small".to_owned())));
+//! assert_eq!((printed.verdict, right.verdict), (Verdict::Refuted, Verdict::Proved));
+//! assert_eq!(right.instead.as_deref(), Some("with the mixed product"));
+//!
+//! let explanation = models[0].explain(&models[0].claims[0], u64::MAX, false).unwrap();
+//! let steps: Vec<String> =
+//!     explanation.steps.iter().map(|step| format!("{}: {}", step.what, step.formula)).collect();
+//! assert_eq!(
+//!     steps,
+//!     [
+//!         "claim: (1 + 2)^2 == 1^2 + 2^2",
+//!         "left side: (1 + 2)^2 = 9",
+//!         "right side: 1^2 + 2^2 = 5",
+//!         "difference: 4",
+//!         "witness: left 9, right 5",
+//!         "verdict: refuted",
+//!     ],
+//! );
+//! ```
+//!
 //! # Limits
 //!
 //! | what | limit |
@@ -789,18 +833,23 @@ mod assumptions;
 mod bernstein;
 mod calls;
 mod curves;
+mod explain;
 mod expression;
 mod fault;
+mod finding;
 mod frames;
 mod frames_file;
 mod functions;
+mod generality;
 mod generic;
 mod group;
+mod inequality;
 mod item;
 mod judgement;
 mod members;
 mod number;
 mod pieces;
+mod rationality;
 mod relation;
 mod roots;
 mod scope;
@@ -809,6 +858,7 @@ mod surfaces;
 mod value;
 mod witness;
 
+pub use explain::{Explanation, Step};
 pub use expression::MAX_EXPONENT;
 pub use group::{CoefficientGroup, CoefficientKind};
 pub use item::{Model, models, models_within};

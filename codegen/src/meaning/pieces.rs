@@ -8,7 +8,7 @@ use hodograph_algebra::{Fraction, Interval, Poly, Variable};
 
 use super::calls::Call;
 use super::fault::Fault;
-use super::relation::Finding;
+use super::finding::Finding;
 use super::scope::Scope;
 use super::value::Value;
 use crate::language::Span;
@@ -242,7 +242,8 @@ pub(super) fn merged(relation: &Expr, joints: Option<&Joints>, mut findings: Vec
         together(&findings)
     };
     let general = findings.iter().any(|finding| finding.general);
-    let mut merged = Finding { derived, general, conditions, ..findings.swap_remove(index) };
+    let piece = Some((index, name(index)));
+    let mut merged = Finding { derived, general, conditions, piece, ..findings.swap_remove(index) };
     if let Some(witness) = &mut merged.witness {
         *witness = format!("{}, {witness}", name(index));
     }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Curve, Fraction, Frame, MotionSegment, OffsetError, QuadraticFraction, Quaternion, SweptSurface,
+    Curve, Fraction, Frame, MotionSegment, OffsetError, Poly, QuadraticFraction, Quaternion, SweptSurface,
     Variable, Vector,
 };
 
@@ -102,6 +102,10 @@ pub(super) struct DegreeValue {
     pub degrees: Vec<i64>,
     /// What the polynomials depend on besides.
     pub variables: Vec<Variable>,
+    /// The parameters.
+    pub parameters: Vec<Variable>,
+    /// The polynomials with what they are called.
+    pub polynomials: Vec<(String, Poly)>,
 }
 
 impl fmt::Display for DegreeValue {

@@ -44,20 +44,18 @@ pub(super) fn not_parallel(
 }
 
 /// A point of the domain where all variables are at the beginning of their intervals.
-pub(super) fn corner(domain: &[(Variable, Interval)]) -> Option<String> {
-    Some(point(
-        &domain.iter().map(|(variable, interval)| (variable.clone(), interval.lower().clone())).collect(),
-    ))
+pub(super) fn corner(domain: &[(Variable, Interval)]) -> Point {
+    domain.iter().map(|(variable, interval)| (variable.clone(), interval.lower().clone())).collect()
 }
 
 /// A point of the domain where the polynomial is negative, among a few rational ones.
-pub(super) fn negative(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<String> {
+pub(super) fn negative(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<Point> {
     (1..MOST_TRIALS).find_map(|trial| {
         let place = |(index, (variable, interval)): (i64, &(Variable, Interval))| {
             (variable.clone(), interval.point(&fraction_of(trial, index)))
         };
         let at: Point = (0_i64..).zip(domain).map(place).collect();
-        poly.evaluate(&at).sign().is_lt().then(|| point(&at))
+        poly.evaluate(&at).sign().is_lt().then_some(at)
     })
 }
 

@@ -1,6 +1,6 @@
 //! Verdicts for programs.
 
-use hodograph_codegen::meaning::Judgement;
+use hodograph_codegen::meaning::{self, Explanation, Judgement};
 use serde::Serialize;
 
 use super::Entry;
@@ -24,12 +24,35 @@ struct Claim<'a> {
     expected: String,
     derived: &'a str,
     witness: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steps: Option<Vec<Step<'a>>>,
+}
+
+/// A step of a derivation.
+#[derive(Serialize)]
+struct Step<'a> {
+    what: &'a str,
+    formula: &'a str,
+    because: &'a str,
 }
 
 /// All claims as JSON, an entry a clause, in the order of the source.
 pub(super) fn output(entries: &[Entry]) -> String {
     let claims = entries.iter().flat_map(|entry| &entry.judgements).map(claim).collect();
     crate::layout::json(&Output { schema: 1, claims })
+}
+
+/// The claims of one id as JSON, each with its derivation.
+pub(super) fn explanations(explanations: &[&Explanation]) -> String {
+    let claims = explanations.iter().map(|explanation| Claim {
+        steps: Some(explanation.steps.iter().map(step).collect()),
+        ..claim(&explanation.judgement)
+    });
+    crate::layout::json(&Output { schema: 1, claims: claims.collect() })
+}
+
+fn step(step: &meaning::Step) -> Step<'_> {
+    Step { what: step.what, formula: &step.formula, because: &step.because }
 }
 
 fn claim(judgement: &Judgement) -> Claim<'_> {
@@ -44,6 +67,7 @@ fn claim(judgement: &Judgement) -> Claim<'_> {
         expected: judgement.expected.to_string(),
         derived: &judgement.derived,
         witness: judgement.witness.as_deref(),
+        steps: None,
     }
 }
 

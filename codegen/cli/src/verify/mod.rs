@@ -1,5 +1,6 @@
 //! `hodograph verify`: the verdict on every claim.
 
+mod explain;
 mod json;
 mod text;
 
@@ -68,6 +69,9 @@ impl Entry {
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let limit = arguments.budget.limit;
+    if let Some(id) = &arguments.explain {
+        return explain::run(id, arguments);
+    }
     let documents = if arguments.inputs.is_empty() {
         input::catalogue(limit)?
     } else {
@@ -79,7 +83,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<ExitCode, Failure> {
         Format::Json => json::output(&entries),
     };
     console::print(&output)?;
-    Ok(status(&entries).into())
+    Ok(status(entries.iter().flat_map(|entry| &entry.judgements)).into())
 }
 
 fn check_all(documents: &[Document], limit: u64) -> Result<Vec<Entry>, Failure> {
@@ -146,9 +150,8 @@ fn check(model: &Model, left: &mut u64, diagnostics: &mut Diagnostics) -> Entry 
 }
 
 /// The exit status for these verdicts.
-fn status(entries: &[Entry]) -> u8 {
-    let mut unexpected =
-        entries.iter().flat_map(|entry| &entry.judgements).filter(|judgement| !expected(judgement));
+fn status<'a>(judgements: impl Iterator<Item = &'a Judgement> + Clone) -> u8 {
+    let mut unexpected = judgements.filter(|judgement| !expected(judgement));
     let mut status = 0;
     // One claim that is wrong outranks any number of undecided ones.
     if unexpected.clone().any(|judgement| judgement.verdict == Verdict::Undecided) {
@@ -181,6 +184,8 @@ mod tests {
             source: Some("a book".to_owned()),
             statement: "degree(X) == (2, 9)".to_owned(),
             notes: vec!["a note".to_owned()],
+            instead: None,
+            effect: None,
             verdict,
             scope: "the sweep s".to_owned(),
             condition: None,
@@ -198,9 +203,9 @@ mod tests {
     fn what_is_wrong_outranks_what_is_undecided() {
         use Verdict::{Proved, Refuted, Undecided};
         let of = |pairs: &[(Verdict, Verdict)]| {
-            status(&[entry(
-                pairs.iter().map(|(verdict, expected)| judgement("a", *verdict, *expected)).collect(),
-            )])
+            let judgements: Vec<Judgement> =
+                pairs.iter().map(|(verdict, expected)| judgement("a", *verdict, *expected)).collect();
+            status(judgements.iter())
         };
         assert_eq!(of(&[]), 0);
         assert_eq!(of(&[(Proved, Proved), (Refuted, Refuted), (Undecided, Undecided)]), 0);

@@ -108,6 +108,9 @@ fn claim(judgement: &Judgement, id: usize) -> String {
     for note in &judgement.notes {
         detail("note", note);
     }
+    if let Some((severity, text)) = &judgement.effect {
+        detail("effect", &format!("{severity}: {text}"));
+    }
     text
 }
 
