@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use hodograph::Bounds;
-use hodograph_algebra::{Rational, integer};
 use hodograph_codegen::bound::{Precision, Proof, Rounding, prove};
 use hodograph_codegen::compile::{compile, exact_program};
 use hodograph_codegen::program::Variant;
-use hodograph_codegen::round::{exact, round};
+use hodograph_codegen::proofs::domain;
+use hodograph_codegen::round::round;
 use hodograph_codegen::schedule::outputs;
 use hodograph_tests::catalogue::{Entry, entries};
 use hodograph_tests::fixed::Fixed;
@@ -26,7 +26,7 @@ const SHARP: [&str; 4] = [outputs::POINT, outputs::SEPARATED_POINT, outputs::PAR
 fn for_each(mut test: impl FnMut(&Subject, &Entry, &Bounds)) {
     let entries = entries();
     let subjects = concrete();
-    assert_eq!(entries.len(), subjects.len(), "the catalogue misses a sweep");
+    assert_eq!(hodograph::catalogue::all().len(), subjects.len(), "a sweep of the catalogue is not tested");
     for subject in &subjects {
         let name = subject.surface.name();
         let entry = entries.iter().find(|entry| entry.model.name == name);
@@ -48,11 +48,7 @@ fn bounds_are_those_that_the_programs_prove() {
         let program = exact_program(&entry.model, &essentials).unwrap().fused();
         let rounded = round(&program).unwrap();
         assert_eq!(rounded.operations(), compile(&entry.model).unwrap().program.operations(), "{name}");
-        let domain = subject.surface.domain();
-        let domain: [[Rational; 2]; 2] = [domain.u, domain.v].map(|ends| ends.map(|end| exact(end).unwrap()));
-        // The ends of all domains of the catalogue are floats of both precisions.
-        assert!(domain.iter().flatten().all(|end| (end * integer(1 << 20)).is_integer()), "{name}");
-        let proofs: Vec<Proof> = prove(&program, &rounded, &domain, &Rounding::ALL).unwrap();
+        let proofs: Vec<Proof> = prove(&program, &rounded, &domain(&essentials), &Rounding::ALL).unwrap();
         for output in OUTPUTS {
             let stated = bound_of(bounds, output);
             for (k, proof) in proofs.iter().enumerate() {
@@ -125,6 +121,7 @@ fn no_error_exceeds_its_bound() {
 /// Offsets at distances of all sizes, and the coordinates of points by themselves.
 #[test]
 fn offsets_are_within_their_bounds() {
+    let mut checked = 0;
     for_each(|subject, entry, bounds| {
         let (oracle, name) = (Oracle::new(&entry.derivation), subject.surface.name());
         let mut random = SplitMix64::new(11);
@@ -172,7 +169,7 @@ fn offsets_are_within_their_bounds() {
                     ),
                 ];
                 for (found, a, b, bound) in cases {
-                    assert!(bound.is_finite(), "{name}, {}", rounding_name(rounding));
+                    checked += usize::from(bound.is_finite());
                     for i in 0..3 {
                         let error = a[i].add(&distance.mul(&b[i])).gap(found[i]);
                         assert!(error <= bound, "{name} at ({u:?}, {v:?}), r = {r:e}: {error:e} > {bound:e}");
@@ -190,6 +187,8 @@ fn offsets_are_within_their_bounds() {
             }
         }
     });
+    // Some surfaces have no bounds for what needs a normal.
+    assert!(checked > 8_000, "only {checked} offsets have bounds");
 }
 
 fn variant(rounding: Rounding) -> hodograph::Variant {

@@ -65,3 +65,19 @@ fn every_section_says_what_it_means_for_a_user() {
     let silent: Vec<_> = ids.difference(&explained).collect();
     assert!(silent.is_empty(), "add `effect …` to a clause of {silent:?}");
 }
+
+/// The ids of the claims that the papers make, one a line.
+const CLAIMS: &str = include_str!("claims.txt");
+
+#[test]
+fn every_claim_of_the_papers_is_settled() {
+    let claims = files().into_iter().flat_map(|file| file.models).flat_map(|model| model.claims);
+    let settled: BTreeSet<String> = claims.map(|claim| claim.id.value).collect();
+    let missing: Vec<&str> = CLAIMS.lines().filter(|id| !settled.contains(*id)).collect();
+    assert!(missing.is_empty(), "no claim has the id {missing:?}");
+    assert_eq!(
+        CLAIMS.lines().collect::<BTreeSet<_>>().len(),
+        CLAIMS.lines().count(),
+        "an id is listed twice"
+    );
+}

@@ -111,8 +111,9 @@ pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: 
     Proofs { bounds, certificates }
 }
 
-/// The domain, up to floats beyond its ends.
-pub(crate) fn domain(derivation: &Essentials) -> [[Rational; 2]; 2] {
+/// The domain over which the bounds of a surface are proved: its ends, and the floats next to them in both precisions.
+#[must_use]
+pub fn domain(derivation: &Essentials) -> [[Rational; 2]; 2] {
     derivation.domain.each_ref().map(|interval| hull(interval.lower(), interval.upper()))
 }
 

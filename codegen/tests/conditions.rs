@@ -225,13 +225,13 @@ fn roots_of_symbols_are_constants() {
             (Verdict::Proved, "all c", "-"),
             (Verdict::Proved, "all c", "c >= 0"),
             (Verdict::Proved, "all c", "c > 0"),
-            (Verdict::Undecided, "all c, d, slope", "-"),
+            (Verdict::Undecided, "all c, d", "-"),
             (Verdict::Proved, "general slope", GENERAL),
-            (Verdict::Refuted, "general c, d, slope", "-"),
+            (Verdict::Refuted, "the example of the lemma roots", "-"),
             (Verdict::Proved, "all c", "c >= 0"),
             (Verdict::Undecided, "all c", "-"),
             (Verdict::Undecided, "all c", "c < 0"),
-            (Verdict::Proved, "all c, d, slope", "c == 4"),
+            (Verdict::Proved, "the example of the lemma roots", "c == 4"),
         ],
     );
 }

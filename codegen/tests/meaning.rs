@@ -409,14 +409,14 @@ fn conditions_set_symbols() {
 fn a_finding_says_for_what_it_holds() {
     let definitions = "symbol c; function x(u), kappa(v); curve s(v) = regular_curve(1, kappa);";
     let table = [
-        ("c - c == 0*x", "all functions kappa, x and all c"),
+        ("c - c == 0*x", "all functions x and all c"),
         ("(c + x)^2 == c^2 + 2*c*x + x^2", "all functions x and all c"),
         ("norm2(s.tangent) == 1", "every curve s"),
         ("coprime(c*u, 1 + u)", "general c"),
         ("degree(c*u*v) == (1, 1)", "general c"),
         ("degree(c*u*v) <= (1, 1)", "all c"),
         ("not diff(x, u) == x", "general functions x"),
-        ("u*v == v*u", "the data of the lemma t"),
+        ("u*v == v*u", "the example of the lemma t"),
     ];
     let claims = table.map(|(claim, _)| claim);
     for ((claim, expected), judgement) in table.iter().zip(lemma(definitions, &claims)) {

@@ -18,8 +18,8 @@
 //! is a number: for a unit normal on a domain with singular points, everywhere else. That the sign is the right one is proved
 //! where the other value is not 0, be it as small as it may.
 //!
-//! The bound is above the largest error by what errors that happen to cancel are not seen to: by a factor of 2
-//! to 8 for points and first derivatives of the catalogue, more for curvatures, whose terms share their errors.
+//! The bound is above the largest error by what errors that happen to cancel are not seen to, and by what boxes are too wide: by
+//! a factor of 2 to 8 for points and first derivatives of the catalogue, up to 90 for curvatures.
 //!
 //! All numbers here are integers times powers of two, rounded outward; no float takes part in a proof.
 //!
