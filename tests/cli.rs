@@ -136,8 +136,8 @@ fn verify_explains_a_claim() {
     let explain = |arguments: &[&str]| {
         run_with(EXPLAINED.as_bytes(), &[&["verify", "-", "--explain"], arguments].concat())
     };
-    let run = explain(&["A-1,2"]);
-    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let answer = explain(&["A-1,2"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
     for part in [
         "A-1,2: refuted, as expected",
         "lemma square in <standard input>: a book",
@@ -147,15 +147,15 @@ fn verify_explains_a_claim() {
         "what is right  f == a^2 + 2*a*b*v + b^2*v^2",
         "A-1,2: 1 proved, 1 refuted, 0 undecided",
     ] {
-        assert!(run.out.contains(part), "{part}: {}", run.out);
+        assert!(answer.out.contains(part), "{part}: {}", answer.out);
     }
-    assert!(!run.out.contains("1 + 1"), "{}", run.out);
+    assert!(!answer.out.contains("1 + 1"), "{}", answer.out);
 
-    let run = explain(&["A-1,2", "--format", "json"]);
-    let json = run.json(0);
+    let answer = explain(&["A-1,2", "--format", "json"]);
+    let json = answer.json(0);
     assert_eq!((&json["schema"], json["claims"].as_array().map(Vec::len)), (&Value::from(1), Some(2)));
     let steps = json["claims"][0]["steps"].as_array().cloned().unwrap_or_default();
-    assert_eq!(keys(&run.out, &steps[0]), ["what", "formula", "because"]);
+    assert_eq!(keys(&answer.out, &steps[0]), ["what", "formula", "because"]);
     let last = steps.last().cloned().unwrap_or_default();
     assert_eq!((&last["what"], &last["formula"]), (&Value::from("verdict"), &Value::from("refuted")));
 

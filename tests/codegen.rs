@@ -8,12 +8,12 @@ use hodograph_algebra::{Essentials, Poly};
 use hodograph_codegen::compile::{check_program, compile, exact_program, expand};
 use hodograph_codegen::emit::{Artifact, format, module, standalone};
 use hodograph_codegen::expansion;
-use hodograph_codegen::language::parse_macro;
+use hodograph_codegen::language::{parse_macro, read_input};
 use hodograph_codegen::meaning::Model;
 use hodograph_codegen::program::{Floats, Operation, Program, Value, Variant, interpret};
 use hodograph_codegen::schedule::outputs;
 use hodograph_tests::build::{built, rustc};
-use hodograph_tests::catalogue::{entries, families, files};
+use hodograph_tests::catalogue::{entries, families, files, folder};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -60,15 +60,23 @@ fn every_door_gives_the_same_code() {
         let from_text = format(from_text).unwrap();
 
         let tokens: TokenStream = formulas.text.parse().unwrap();
-        let (file, _) = parse_macro(tokens.clone()).unwrap();
+        let (mut file, _) = parse_macro(tokens.clone()).unwrap();
+        let mut names_files = false;
+        file.attach(|name| {
+            names_files = true;
+            read_input(&folder().join(name), name)
+        });
         assert_eq!(format(expand(&file).0).unwrap(), from_text, "{stem}");
-        assert_eq!(format(expansion::sweep(tokens)).unwrap(), from_text, "{stem}");
+        // The files that a body names are in the folder of the manifest, where those of the catalogue are not.
+        if !names_files {
+            assert_eq!(format(expansion::sweep(tokens)).unwrap(), from_text, "{stem}");
+        }
 
-        // The macro's other form, which has the compiler watch the file.
+        // The macro's other form, which has the compiler watch the file and those that it names.
         let path = format!("../generated/formulas/{stem}.sweep");
         let from_file = format(expansion::sweep(quote!(file = #path))).unwrap();
-        let (watch, code) = from_file.split_once("\n);\n").unwrap_or_else(|| panic!("{from_file}"));
-        assert!(watch.contains("include_bytes!"), "{watch}");
+        let (watch, code) = from_file.rsplit_once("\n);\n").unwrap_or_else(|| panic!("{from_file}"));
+        assert_eq!(watch.matches("include_bytes!").count(), 1 + usize::from(names_files), "{watch}");
         assert_eq!(code, from_text, "{stem}");
     }
 }
@@ -185,7 +193,10 @@ fn programs_are_proved() {
 
 #[test]
 fn no_changed_constant_passes_the_proof() {
-    for (model, essentials, program) in programs() {
+    // The pieces of one surface are alike.
+    let mut programs = programs();
+    programs.retain(|(model, ..)| model.piece.as_ref().is_none_or(|piece| piece.index == 0));
+    for (model, essentials, program) in programs {
         let name = &model.name;
         let proved = program.outputs().iter().flat_map(|output| output.values.clone());
         let needed = program.needed(&proved.collect::<Vec<Value>>());

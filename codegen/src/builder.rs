@@ -12,7 +12,7 @@ use crate::language::{Report, decode, parse_text, read_input};
 ///
 /// A file `formulas/saddle.sweep` becomes `OUT_DIR/saddle.rs`, which the crate includes:
 ///
-/// ```ignore
+/// ```text
 /// include!(concat!(env!("OUT_DIR"), "/saddle.rs"));
 /// ```
 ///

@@ -4,6 +4,8 @@
 //! the patch (for the homogeneous coordinates, of that coordinate). One unit is half a step between floats of the
 //! quantity's size, so that a correctly rounded result has an error of at most 1.
 
+use hodograph::{Surface, Variant};
+
 /// What an evaluator computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
@@ -80,6 +82,22 @@ pub fn allowance(quantity: Quantity) -> f64 {
         Quantity::OffsetPoint => 6.0,
         // Convex combinations alone: as many roundings as degrees, but each of a part of the sum.
         Quantity::ControlNet => 6.0,
+    }
+}
+
+/// The same for a surface of the catalogue.
+#[must_use]
+pub fn allowance_on(surface: &dyn Surface, quantity: Quantity) -> f64 {
+    let allowed = allowance(quantity);
+    let normal =
+        surface.bounds().map_or(f64::INFINITY, |bounds| bounds.unit_normal.error::<f64>(Variant::Plain));
+    match quantity {
+        // Each degree is a step of the scheme; what is allowed is for 9 of them.
+        Quantity::ControlNet => allowed * f64::from(surface.degree().1.max(9)) / 9.0,
+        // Where the direction of the normal has a zero on the domain there is no bound: relative errors are the larger the
+        // nearer it is, and of some 1000 points the nearest is at a hundredth of the domain.
+        Quantity::UnitNormal | Quantity::OffsetPoint if normal.is_infinite() => 6.0 * allowed,
+        _ => allowed,
     }
 }
 

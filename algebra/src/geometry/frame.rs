@@ -111,7 +111,8 @@ impl Curve {
         let [Some(a), Some(b), Some(c), Some(d)] = parts else {
             return Ok(quaternion([w, Poly::zero(), -&z, y]));
         };
-        Ok(quaternion([a, b, c, d]))
+        let reduced = quaternion([a, b, c, d]);
+        Ok(primitive(&reduced).unwrap_or(reduced))
     }
 
     /// The rotation-minimizing frame that begins as the [Euler–Rodrigues frame](Curve::euler_rodrigues_frame) where the

@@ -237,12 +237,12 @@ fn right(corrections: &[&Judgement]) -> String {
         notes.extend(correction.instead.as_deref());
         let named = correction.scope.contains(&correction.sweep);
         let item = if named { String::new() } else { format!(" (`{}`)", correction.sweep) };
+        let notes = if notes.is_empty() { String::new() } else { format!(": {}", notes.join("; ")) };
         let condition = correction.condition.as_ref();
         let condition = condition.map(|condition| format!("    when {}", cut(condition, LONGEST)));
         text += &format!(
-            "\n**Right**, proved for {}{item}: {}.\n\n{}",
+            "\n**Right**, proved for {}{item}{notes}.\n\n{}",
             correction.scope,
-            notes.join("; "),
             block(std::iter::once(correction.statement.clone()).chain(condition))
         );
     }

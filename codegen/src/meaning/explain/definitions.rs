@@ -185,9 +185,8 @@ impl Parts<'_, '_> {
     fn of(&mut self, expr: &Expr, sides: bool) {
         match expr.kind() {
             ExprKind::Relation { left, right, .. } => {
-                for side in [left, right] {
-                    side.children().for_each(|child| self.of(child, false));
-                }
+                self.within(left);
+                self.within(right);
                 return;
             }
             ExprKind::Not(inner) => return self.of(inner, sides),
@@ -197,15 +196,21 @@ impl Parts<'_, '_> {
                 }
                 return;
             }
-            // What a member that is called gives stands in the call's value.
-            ExprKind::Call { callee, arguments } => {
-                callee.children().for_each(|child| self.of(child, false));
-                arguments.iter().for_each(|argument| self.of(&argument.value, false));
-            }
-            _ => expr.children().for_each(|child| self.of(child, false)),
+            _ => self.within(expr),
         }
         if is_worth_showing(expr) && !self.steps.is_full() && self.shown.insert(expr.to_string()) {
             self.part(expr);
+        }
+    }
+
+    /// What an expression is made of, without itself.
+    fn within(&mut self, expr: &Expr) {
+        if let ExprKind::Call { callee, arguments } = expr.kind() {
+            // What a member that is called gives stands in the call's value.
+            callee.children().for_each(|child| self.of(child, false));
+            arguments.iter().for_each(|argument| self.of(&argument.value, false));
+        } else {
+            expr.children().for_each(|child| self.of(child, false));
         }
     }
 

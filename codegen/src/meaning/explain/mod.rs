@@ -84,7 +84,8 @@ impl Model {
     /// let explanation = models[0].explain(&models[0].claims[0], DEFAULT_LIMIT, false).unwrap();
     /// let steps: Vec<String> =
     ///     explanation.steps.iter().map(|step| format!("{}: {}", step.what, step.formula)).collect();
-    /// assert_eq!(steps[2..4], ["definition: let d(v) = diff(s.normal, v)", "value: d = sigma*kappa*s.tangent"]);
+    /// assert!(steps.contains(&"definition: let d(v) = diff(s.normal, v)".to_owned()));
+    /// assert!(steps.contains(&"value: d = kappa*sigma*s.tangent".to_owned()));
     /// assert!(steps.contains(&"difference: kappa*(sigma - 1)*s.tangent".to_owned()));
     /// ```
     pub fn explain(&self, claim: &Claim, limit: u64, full: bool) -> Result<Explanation, Box<Diagnostic>> {

@@ -40,6 +40,44 @@ sweep! {
     }
 }
 
+sweep! {
+    /// A half circle through two frames, by the spline of the quaternions themselves: of degree 9 in v.
+    sweep through_frames_directly {
+        profile c(u) = (0, 2*u/(1 + u^2), (u^2 - 1)/(1 + u^2));
+        frames F(v) = frames([frame((0, 0, 2), (24/25, 0, 0, 7/25), 1), frame((4, 3/2, 3/2), (71/73, 12/73, 0, 12/73), 5/4),
+            frame((8, 3/2, 1/2), (71/73, -12/73, 0, -12/73), 3/2)], orientation = direct);
+        surface R = F.sweep(c);
+        domain u in 0..1;
+    }
+}
+
+sweep! {
+    /// The same through points of the unit sphere: of degree 15 in v.
+    sweep through_frames {
+        profile c(u) = (0, 2*u/(1 + u^2), (u^2 - 1)/(1 + u^2));
+        frames F(v) = frames([frame((0, 0, 2), (24/25, 0, 0, 7/25), 1), frame((4, 3/2, 3/2), (71/73, 12/73, 0, 12/73), 5/4),
+            frame((8, 3/2, 1/2), (71/73, -12/73, 0, -12/73), 3/2)]);
+        surface R = F.sweep(c);
+        domain u in 0..1;
+    }
+}
+
+/// A sweep through frames in its forms of degree 9 and of degree 15 in v, one piece of each.
+pub(crate) fn growth_through_frames(settings: &Settings) -> Result<(), String> {
+    let direct = through_frames_directly_1::ThroughFramesDirectly1;
+    let exact = through_frames_1::ThroughFrames1;
+    let peers = [Peers::new(&direct), Peers::new(&exact)];
+    let parameters = Parameters::new(1000);
+    let out = RefCell::new(Items(vec![[0.0; 3]; 1000 * COLUMNS]));
+    for way in [Way::StoredGrid, Way::Rows] {
+        let work = Work::new(&way.title("Growth through frames: points"));
+        let work = add(work, "hodograph, degree 15", &exact, &peers[1], way, &parameters, &out);
+        let work = add(work, "hodograph, degree 9", &direct, &peers[0], way, &parameters, &out);
+        work.wanted("hodograph, degree 9", 0.9).measure(settings)?;
+    }
+    Ok(())
+}
+
 /// Sweeps along paths of degree 5, 9 and 13, whose patches are of degree 9, 17 and 25 in v.
 pub(crate) fn growth(settings: &Settings) -> Result<(), String> {
     let (five, nine) = (along_degree_5::AlongDegree5, along_degree_9::AlongDegree9);

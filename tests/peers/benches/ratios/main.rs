@@ -49,6 +49,7 @@ fn main() -> Result<(), String> {
     beside_peers::<Second, _, 18>(&settings, "Points with second derivatives", &surface, &peers, 100, ways)?;
     beside_peers::<Local, _, 39>(&settings, "Forms and curvatures", &surface, &peers, 50, ways)?;
     growth::growth(&settings)?;
+    growth::growth_through_frames(&settings)?;
     own::precisions(&settings)?;
     own::threads(&settings)?;
     own::families(&settings)
