@@ -1,6 +1,6 @@
 //! Sweeps whose evaluators are to be accurate: the error of each coordinate relative to itself.
 
-use hodograph::{Patch, Surface, Sweep, Variant};
+use hodograph::{Domain, Patch, Surface, Sweep, Variant};
 use hodograph_codegen::compile::derive;
 use hodograph_codegen::language::parse_text;
 use hodograph_codegen::meaning::models;
@@ -25,6 +25,13 @@ hodograph::sweep! {
         domain u in 0..1, v in 0..1;
         prefer accurate;
     }
+
+    /// Coordinates with zeros at ends of the domain that are no floats.
+    sweep between {
+        surface R = ((1/10 - v)^3*(1 + u), (1/3 - u)^2*(v + 1), (u + 1/7)*(1/10 - v)/(1 + u*v + u^2));
+        domain u in -1/7..1/3, v in 0..1/10;
+        prefer accurate;
+    }
 }
 
 /// The most units in the last place that a coordinate may be off where its control points have one sign.
@@ -43,11 +50,17 @@ fn largest_errors(surface: &dyn Surface, formula: &str) -> [Option<f64>; 3] {
     };
     let mut largest = [1, 2, 3].map(|k| one_sign(k).then_some(0.0_f64));
     let mut random = SplitMix64::new(16);
+    let Domain { u: of_u, v: of_v } = surface.domain();
     for k in 0..1000 {
         // Near the corners and edges too, where coordinates are small.
         let near = |t: f64| if k % 3 == 0 { t * 1e-9 } else { t };
-        let (u, v) = (near(random.next_f64()), near(random.next_f64()));
-        let (u, v) = if k % 2 == 0 { (u, v) } else { (1.0 - u, 1.0 - v) };
+        let (s, t) = (near(random.next_f64()), near(random.next_f64()));
+        let at = |[first, last]: [f64; 2], s: f64| {
+            let place = if k % 2 == 0 { first + (last - first) * s } else { last - (last - first) * s };
+            // The float of an end may be beyond it.
+            place.clamp(first.next_up(), last.next_down())
+        };
+        let (u, v) = (at(of_u, s), at(of_v, t));
         let point = surface.point(u, v).unwrap();
         for ((largest, found), exact) in largest.iter_mut().zip(point).zip(&oracle.at(u, v).point) {
             let Some(largest) = largest else { continue };
@@ -64,8 +77,12 @@ fn coordinates_are_accurate_where_control_points_have_one_sign() {
     for variant in [Variant::Plain, Variant::Fused] {
         let (translation, rotation) =
             (translation::Translation.pinned(variant), rotation::Rotation.pinned(variant));
-        let surfaces: [(&dyn Surface, &str); 2] =
-            [(&translation, translation::Translation::FORMULA), (&rotation, rotation::Rotation::FORMULA)];
+        let between = between::Between.pinned(variant);
+        let surfaces: [(&dyn Surface, &str); 3] = [
+            (&translation, translation::Translation::FORMULA),
+            (&rotation, rotation::Rotation::FORMULA),
+            (&between, between::Between::FORMULA),
+        ];
         for (surface, formula) in surfaces {
             let largest = largest_errors(surface, formula);
             println!("{} {variant:?}: {largest:.2?} units in the last place", surface.name());
@@ -73,7 +90,7 @@ fn coordinates_are_accurate_where_control_points_have_one_sign() {
             assert!(largest.iter().flatten().all(|&error| error <= MOST), "{}: {largest:?}", surface.name());
         }
     }
-    assert!(checked >= 10, "only {checked} coordinates are checked");
+    assert!(checked >= 16, "only {checked} coordinates are checked");
 }
 
 #[test]

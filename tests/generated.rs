@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use hodograph::{BatchError, Surface, Undefined, catalogue};
+use hodograph::{BatchError, Separated, Surface, Sweep as _, Undefined, catalogue};
 use hodograph_algebra::{Homogeneous, Rational};
 use hodograph_codegen::round::nearest;
 use hodograph_tests::catalogue::{Entry, entries};
@@ -49,6 +49,30 @@ fn floats_are_as_near_to_the_exact_values_as_stated() {
     });
     println!("{table}");
     assert!(excessive.is_empty(), "{table}\nbeyond what is allowed:\n{}", excessive.join("\n"));
+}
+
+hodograph::sweep! {
+    /// The weight overflows before the other coordinates do.
+    sweep far {
+        surface R = (u^2, v^2, 1)/(1 + u^2 + v^2);
+        domain u in 0..1, v in 0..1;
+    }
+}
+
+#[test]
+fn weights_beyond_the_range_of_floats_give_no_points() {
+    let (far, t) = (far::Far, 1.2e154);
+    assert_eq!(far.point(t, t), Err(Undefined::Overflow));
+    assert_eq!(far.separated_point(t, t), Err(Undefined::Overflow));
+    assert_eq!(far.partial_u(t, t), Err(Undefined::Overflow));
+    assert_eq!(far.point(1.6e19_f32, 1.6e19), Err(Undefined::Overflow));
+    let mut row = [[0.0_f64; 3]; 2];
+    assert!(far.grid(&[0.5, t], &[t], &mut row).is_err());
+    assert!(row[0].iter().all(|x| x.is_finite()) && row[1].iter().all(|x| x.is_infinite()), "{row:?}");
+    assert!(far.batch(Separated).grid(&[0.5, t], &[t], &mut row[..]).is_err());
+    // The weight does not overflow.
+    let [x, y, z] = far.point(1e150, 0.0).unwrap();
+    assert!(x == 1.0 && y == 0.0 && z > 0.0);
 }
 
 #[test]

@@ -3,7 +3,8 @@
 //! Schemes are chosen by figures of their errors (`schedule/forms.rs`), which is not always what the bound of a whole output tells.
 //! So both programs are bounded, and an output is taken over from the fast one where the accurate one's bound is larger:
 //!
-//! - A coordinate of the accurate point is kept if its bound relative to itself is smaller; others are those of the smaller bound.
+//! - A coordinate of the accurate point is kept if its bound relative to itself is smaller, and, where neither has one, if nothing
+//!   cancels in it; others are those of the smaller bound.
 //! - Homogeneous coordinates, the separated point and second derivatives are chosen for each output.
 //! - First derivatives, the normal and all that follows from them go together: they are the accurate ones if none of their bounds is
 //!   larger.
@@ -24,7 +25,8 @@ const SINGLE: [&str; 5] = [
     outputs::PARTIAL_VV,
 ];
 
-/// The program `accurate` with what has a smaller bound over the domain in `fast`, in double precision.
+/// The program `accurate` with what has a smaller bound over the domain in `fast`, in double precision; `keep` says in which
+/// coordinates of the accurate point nothing cancels.
 ///
 /// # Errors
 /// [`RoundError`] if a constant has no float.
@@ -32,6 +34,7 @@ pub(crate) fn of_both(
     mut accurate: Program<Poly>,
     fast: &Program<Poly>,
     domain: &[[Rational; 2]; 2],
+    keep: [bool; 3],
 ) -> Result<Program<Poly>, RoundError> {
     let proof = |program: &Program<Poly>| -> Result<Option<Proof>, RoundError> {
         let exact = program.fused();
@@ -52,7 +55,9 @@ pub(crate) fn of_both(
             let larger = match (&slow[place], &quick[place]) {
                 (Ok(slow), Ok(quick)) => {
                     let factor = |bound: &ValueBound| bound.relative.map_or(f64::INFINITY, |it| it.factor);
-                    factor(slow) >= factor(quick) && slow.error > quick.error
+                    let (slow_factor, quick_factor) = (factor(slow), factor(quick));
+                    let is_kept = slow_factor < quick_factor || slow_factor.is_infinite() && keep[place];
+                    !is_kept && slow.error > quick.error
                 }
                 (slow, _) => slow.is_err(),
             };

@@ -97,7 +97,8 @@ pub fn exact_program(
         if derivation.symbols.is_empty() {
             let domain = proofs::domain(derivation);
             let fast = scheduled(Preference::Fast)?;
-            program = choice::of_both(program, &fast, &domain).map_err(CompileError::Round)?;
+            let keep = schedule::have_one_sign(derived.parameters, derived.homogeneous, derived.domain);
+            program = choice::of_both(program, &fast, &domain, keep).map_err(CompileError::Round)?;
         }
         schedule::check(&program, derived).map_err(CompileError::Mismatch)?;
         // Both are proved to be the point.

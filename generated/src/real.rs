@@ -5,7 +5,8 @@ use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
 
 use crate::float::{mul_add, mul_add_f32, sqrt, sqrt_f32};
 
-/// A number that generated code computes with.
+/// A number that generated code computes with. A quotient by an infinite divisor is NaN, not zero, so that a weight beyond the range of
+/// floats does not pass for a finite result.
 ///
 /// Evaluators are generated once, as code over any `Real`: a precision and a variant of rounding for speed ([`Plain`] and
 /// [`Fused`] floats), or a number that knows how far it may be from the exact one.
@@ -273,7 +274,16 @@ macro_rules! variant {
         variant!($name, Add, add, +);
         variant!($name, Sub, sub, -);
         variant!($name, Mul, mul, *);
-        variant!($name, Div, div, /);
+
+        impl<F: Float> Div for $name<F> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                // x − x is zero, or NaN where x is infinite.
+                Self(self.0 / (other.0 + (other.0 - other.0)))
+            }
+        }
 
         impl<F: Float> Neg for $name<F> {
             type Output = Self;
@@ -309,6 +319,17 @@ mod tests {
         let plain = Real::mul_add(Plain::new(a), Plain::new(b), Plain::new(c));
         let fused = Real::mul_add(Fused::new(a), Fused::new(b), Fused::new(c));
         assert_eq!((plain.value(), fused.value()), (0.0, -f32::EPSILON * f32::EPSILON));
+    }
+
+    #[test]
+    fn quotients_by_infinity_are_not_finite() {
+        let quotient = |x: f64, y: f64| (Plain::new(x) / Plain::new(y)).value();
+        assert!(quotient(1.0, f64::INFINITY).is_nan() && quotient(0.0, f64::NEG_INFINITY).is_nan());
+        assert_eq!((quotient(1.0, 3.0), quotient(-1.0, f64::MAX)), (1.0 / 3.0, -1.0 / f64::MAX));
+        assert!(
+            quotient(1.0, 0.0).is_infinite()
+                && (Fused::new(1.0) / Fused::new(f32::INFINITY)).value().is_nan()
+        );
     }
 
     #[test]

@@ -125,7 +125,8 @@ impl MotionSegment {
 
     /// The surface of the control net that JW Theorem 7.1 prints, or Theorem 7.2 if the scale varies. Its control points add
     /// those of the elevated position curve to the rotated ones, without regard to the weights: the reference point follows
-    /// [`published_position`](MotionSegment::published_position) instead of `P(v)`.
+    /// [`published_position`](MotionSegment::published_position) instead of `P(v)`. The rotation is that of JW (11); the matrix that Lemma 6.2
+    /// prints for it is the transposed one.
     #[must_use]
     pub fn published(&self, c: &Vector) -> Vector {
         &self.published_position() + &self.rotate(&self.scaled(c))

@@ -439,6 +439,12 @@ impl Format {
         Error::new(absolute, relative, tiny)
     }
 
+    /// The error of the distance from a number in parts, at most 5 u of it.
+    pub(super) fn distance(&self, place: &Place) -> Error {
+        let relative = Relative(5 * Relative::UNIT.0);
+        Error::new(self.number(relative).times(place.largest), relative, Dyadic::ZERO)
+    }
+
     /// Whether the sign of x̂ is known to be that of x.
     pub(super) fn is_certain(&self, (x, of_x): Operand<'_>) -> bool {
         of_x.is_known && of_x.absolute.is_below(x.least)

@@ -16,10 +16,12 @@ use crate::program::{Input, Operation, Program, Stage, Value};
 enum Step {
     Constant,
     Input(Input),
+    /// The result may be the distance of a parameter from a number in parts.
     Add {
         a: usize,
         b: usize,
         minus: bool,
+        distance: bool,
     },
     /// A component of a unit vector is between −1 and 1.
     Multiply {
@@ -87,6 +89,53 @@ impl Squares {
     }
 }
 
+/// Whether the sum of both, or their difference, is the distance d = ±(x − e) of a parameter x from a number e = a + b + c in parts that are
+/// subtracted one after the other: the nearest float of single precision, the rest of the nearest one of double precision, and the
+/// rest of e. One of the last two may be absent.
+///
+/// Then the relative error is at most 5 u in both precisions. Far from a, for |x − a| ≥ 2^-20·|a|, b and c are small, and there are three
+/// roundings. Else x − a is exact. In double precision so is x − a − b then, and |d| ≥ |c|, since a + b is the float that is nearest to e:
+/// what is left are the roundings of c and of the last sum. In single precision |d| ≥ |b + c|, since a is nearest; c is at most half as
+/// large as b, and much smaller than x − a if that is not 0: the roundings of b and c and of two sums are left, or of one for x = a.
+fn is_distance(program: &Program<f64>, first: Value, second: Value, minus: bool) -> bool {
+    let Some(last) = constant(program, second) else { return false };
+    let from = |value: Value| match *program.operation(value) {
+        Operation::Subtract(a, b) => match (program.operation(a), program.operation(b)) {
+            (Operation::Input(Input::U | Input::V), Operation::Constant(number)) => Some((*number, true)),
+            (Operation::Constant(number), Operation::Input(Input::U | Input::V)) => Some((*number, false)),
+            _ => None,
+        },
+        _ => None,
+    };
+    #[allow(clippy::cast_possible_truncation)]
+    let is_single = |part: f64, number: f64| f64::from(number as f32).to_bits() == part.to_bits();
+    // Parts that no float of single precision holds would be lost there.
+    let is_normal = |part: f64| part.abs() > 1e-30;
+    let are_first = |a: f64, b: f64| is_single(a, a + b) && (a + b) - a == b && is_normal(b);
+    let is_rest = |number: f64, c: f64| number + c == number && is_normal(c);
+    // What is subtracted from x − a, or added to a − x, is a part.
+    let signed = |part: f64, minus: bool, is_above: bool| if minus == is_above { part } else { -part };
+    if let Some((a, is_above)) = from(first) {
+        let last = signed(last, minus, is_above);
+        return is_single(a, a) && (are_first(a, last) || is_rest(a, last));
+    }
+    let (start, part, inner_minus) = match program.operation(first) {
+        Operation::Add(start, part) => (*start, *part, false),
+        Operation::Subtract(start, part) => (*start, *part, true),
+        _ => return false,
+    };
+    let (Some((a, is_above)), Some(b)) = (from(start), constant(program, part)) else { return false };
+    let (b, c) = (signed(b, inner_minus, is_above), signed(last, minus, is_above));
+    are_first(a, b) && is_rest(a + b, c)
+}
+
+fn constant(program: &Program<f64>, value: Value) -> Option<f64> {
+    match program.operation(value) {
+        Operation::Constant(number) => Some(*number),
+        _ => None,
+    }
+}
+
 /// A program that is ready to be run over boxes.
 pub(super) struct Steps {
     steps: Vec<Step>,
@@ -125,8 +174,18 @@ impl Steps {
         let step = |operation: &Operation<f64>| match *operation {
             Operation::Constant(_) => Step::Constant,
             Operation::Input(input) => Step::Input(input),
-            Operation::Add(a, b) => Step::Add { a: a.index(), b: b.index(), minus: false },
-            Operation::Subtract(a, b) => Step::Add { a: a.index(), b: b.index(), minus: true },
+            Operation::Add(a, b) => Step::Add {
+                a: a.index(),
+                b: b.index(),
+                minus: false,
+                distance: is_distance(program, a, b, false),
+            },
+            Operation::Subtract(a, b) => Step::Add {
+                a: a.index(),
+                b: b.index(),
+                minus: true,
+                distance: is_distance(program, a, b, true),
+            },
             Operation::Multiply(a, b) => {
                 let (a, b) = (a.index(), b.index());
                 Step::Multiply { a, b, rounds: rounds(a, b), unit: is_part(a, b) || is_part(b, a) }
@@ -237,14 +296,15 @@ impl Steps {
         Some(match step {
             Step::Constant => format.constant(place, self.constants[value].as_ref()?.error(k)?),
             Step::Input(_) | Step::Scale(_) => Error::NONE,
-            Step::Add { a, b, minus } => {
+            Step::Add { a, b, minus, distance } => {
                 let (left, right) = ((cells.place(a)?, cells.error(a, k)), cells.error(b, k));
                 let b = cells.place(b)?;
-                if minus {
+                let sum = if minus {
                     format.sum(left, (&b.negated(), right), place, spread)
                 } else {
                     format.sum(left, (b, right), place, spread)
-                }
+                };
+                if distance { format.better(&sum, &format.distance(place)) } else { sum }
             }
             Step::Multiply { a, b, rounds, .. } => {
                 let (left, right) =
@@ -292,7 +352,8 @@ impl Steps {
             Step::Constant | Step::Input(_) | Step::Scale(_) | Step::SquareRoot { .. } => true,
             Step::Negate(a) => of(a),
             Step::Multiply { a, b, .. } | Step::Divide { a, b } | Step::Orient { a, b } => of(a) && of(b),
-            Step::Add { a, b, minus } => match (cells.place(a), cells.place(b)) {
+            Step::Add { distance: true, .. } => true,
+            Step::Add { a, b, minus, .. } => match (cells.place(a), cells.place(b)) {
                 (Some(first), Some(second)) => {
                     let second = if minus { second.negated() } else { *second };
                     format.sum_keeps_sign((first, cells.error(a, k)), (&second, cells.error(b, k)))
@@ -345,8 +406,8 @@ impl Steps {
             Step::Input(Input::U) => Place::new(&inputs[0], Affine::parameter(&inputs[0], true)),
             Step::Input(Input::V) => Place::new(&inputs[1], Affine::parameter(&inputs[1], false)),
             Step::Input(Input::Symbol(_)) => return None,
-            Step::Add { a, b, minus: false } => cells.place(a)?.plus(cells.place(b)?),
-            Step::Add { a, b, minus: true } => cells.place(a)?.plus(&cells.place(b)?.negated()),
+            Step::Add { a, b, minus: false, .. } => cells.place(a)?.plus(cells.place(b)?),
+            Step::Add { a, b, minus: true, .. } => cells.place(a)?.plus(&cells.place(b)?.negated()),
             Step::Multiply { a, b, unit, .. } => {
                 let product = self.product(a, b, cells)?;
                 let whole = Interval { lower: -Dyadic::ONE, upper: Dyadic::ONE };

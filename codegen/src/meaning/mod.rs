@@ -591,7 +591,7 @@
 //! | `F.weight` | the denominator of the rotation matrix `O(v)` |
 //! | `F.rotate(c)` | `O(v) c`, for a point or a curve c |
 //! | `F.sweep(c)` | the sweep `P(v) + O(v) S(v) c`, exactly (JW (1)) |
-//! | `F.published(c)` | the surface of the control net that JW prints in Theorem 7.1, or 7.2 where scales differ |
+//! | `F.published(c)` | the surface of the control net that JW prints in Theorem 7.1, or 7.2 where scales differ, with the rotation (11); Lemma 6.2 prints the transposed matrix |
 //!
 //! An item with three frames or more is evaluated once for each piece. Its parameter runs from the first knot to the last one; `domain`
 //! need not say so. All frames of an item have one parameter and the same knots; in a sweep it is the surface's second parameter. Of a

@@ -9,7 +9,8 @@ use super::{Constant, Operation, Program, Stage, Value};
 /// How many operations of each kind a part of a program takes.
 ///
 /// Subtractions count as additions, and a fused multiply-add as both. Changes of sign and of scale by a power of two count for
-/// nothing, since they are no arithmetic on significands.
+/// nothing, since they are no arithmetic on significands, nor do tests whether a number is finite: that of a divisor, those of
+/// results.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct OperationCounts {
     /// Additions and subtractions.

@@ -191,7 +191,8 @@ impl Arithmetic<f64> for Floats<'_> {
     }
 
     fn divide(&self, a: &f64, b: &f64) -> Option<f64> {
-        Some(a / b)
+        // NaN for an infinite divisor, as evaluators have it.
+        Some(a / (b + (b - b)))
     }
 
     fn negate(&self, a: &f64) -> f64 {

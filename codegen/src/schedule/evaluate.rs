@@ -5,6 +5,7 @@ use hodograph_algebra::{Poly, Variable};
 use super::forms::{Choice, Range, Scheme, Sparsity, choose, levels, unscaled_net};
 use super::univariate::Builder;
 use crate::program::{Input, Operation, Stage, Table, Value};
+use crate::round::{exact, nearest};
 
 impl Builder<'_> {
     /// The value of a polynomial of one parameter by the scheme that is preferred for it.
@@ -118,8 +119,7 @@ impl Builder<'_> {
     pub(super) fn bernstein_basis(&mut self, input: Input, degree: usize) -> Option<Vec<Value>> {
         let [start, end] = self.range(input)?.ends().clone();
         let parameter = self.program.input(input);
-        let (start, end) = (self.program.constant(start), self.program.constant(end));
-        let (t, s) = (self.program.subtract(parameter, start), self.program.subtract(end, parameter));
+        let (t, s) = (self.distance(parameter, &start, true), self.distance(parameter, &end, false));
         let product = |builder: &mut Self, j: usize| match j {
             0 => builder.power(s, degree),
             _ if j == degree => builder.power(t, degree),
@@ -132,6 +132,25 @@ impl Builder<'_> {
             return Some(vec![self.program.constant(Poly::one())]);
         }
         Some((0..=degree).map(|j| product(self, j)).collect())
+    }
+
+    /// The distance of a parameter from a number, which is below it or above it.
+    ///
+    /// A number that is no float of single precision is taken in parts: the nearest such float, what the nearest float of double precision
+    /// has besides, and the rest. Near the number the difference from the first part is exact, and the others make up for what that
+    /// lacks, so that the error is of the size of the distance in both precisions.
+    pub(super) fn distance(&mut self, parameter: Value, number: &Poly, is_below: bool) -> Value {
+        let mut distance = None;
+        for part in parts(number) {
+            let part = self.program.constant(part);
+            distance = Some(match (distance, is_below) {
+                (None, true) => self.program.subtract(parameter, part),
+                (None, false) => self.program.subtract(part, parameter),
+                (Some(distance), true) => self.program.subtract(distance, part),
+                (Some(distance), false) => self.program.add(distance, part),
+            });
+        }
+        distance.unwrap_or(parameter)
     }
 
     /// `base` to a positive power, by squaring.
@@ -164,4 +183,28 @@ impl Builder<'_> {
             self.program.table(Table { value, name, formula: poly.to_string(), coefficients });
         }
     }
+}
+
+/// A number as the sum of the nearest float of single precision, what the nearest one of double precision has besides, and the rest, as
+/// far as they are not zero.
+#[allow(clippy::cast_possible_truncation)]
+fn parts(number: &Poly) -> Vec<Poly> {
+    let float = nearest(number).ok();
+    let of = |float: f64| exact(float).map(Poly::constant);
+    let (Some(single), Some(double)) =
+        (float.and_then(|float| of((float as f32).into())), float.and_then(of))
+    else {
+        return vec![number.clone()];
+    };
+    let parts = [single.clone(), &double - &single, number - &double];
+    let mut parts: Vec<Poly> = parts
+        .into_iter()
+        .enumerate()
+        .filter(|(place, part)| *place == 0 || !part.is_zero())
+        .map(|(_, part)| part)
+        .collect();
+    if parts[0].is_zero() && parts.len() > 1 {
+        parts.remove(0);
+    }
+    parts
 }

@@ -182,9 +182,9 @@ pub(super) fn levels(count: usize) -> usize {
     count.next_power_of_two().trailing_zeros() as usize
 }
 
-/// The domain of a parameter, between floats.
+/// The domain of a parameter.
 pub(super) struct Range {
-    /// Its ends.
+    /// Its ends, or the floats that are nearest to them.
     ends: [Poly; 2],
     /// A number near the middle with a short binary expansion.
     pub(super) center: Poly,
@@ -197,8 +197,11 @@ pub(super) struct Range {
 }
 
 impl Range {
-    /// The range of a domain; `None` if its ends or its middle are no floats, or it has no length.
-    pub(super) fn of([first, last]: &[Rational; 2]) -> Option<Range> {
+    /// The range of a domain; `None` if its ends or its middle are beyond the range of floats, or it has no length.
+    ///
+    /// Accuracy at ends that are no floats takes these ends; else the nearest floats are as good, and differences from them are
+    /// single operations.
+    pub(super) fn of([first, last]: &[Rational; 2], preference: Preference) -> Option<Range> {
         let float = |value: &Rational| nearest(&Poly::constant(value.clone())).ok();
         let (start, end) = (float(first)?, float(last)?);
         // The center is a multiple of a power of two of the size of a quarter of the domain.
@@ -207,7 +210,11 @@ impl Range {
         let (reach, magnitude) = ((end - center).max(center - start), start.abs().max(end.abs()));
         let number = |float: f64| exact(float).map(Poly::constant);
         (step > 0.0 && reach.is_finite()).then_some(())?;
-        let (ends, samples) = ([number(start)?, number(end)?], [start, center, end]);
+        let samples = [start, center, end];
+        let ends = match preference {
+            Preference::Fast => [number(start)?, number(end)?],
+            Preference::Accurate => [first, last].map(|end| Poly::constant(end.clone())),
+        };
         Some(Range { ends, center: number(center)?, reach, magnitude, samples })
     }
 
@@ -295,7 +302,7 @@ mod tests {
     }
 
     fn scheme(poly: &Poly, domain: &[Rational; 2], preference: Preference) -> (Scheme, bool) {
-        let range = Range::of(domain);
+        let range = Range::of(domain, Preference::Fast);
         let choice = choose(poly, &Variable::new(1, "v"), range.as_ref(), preference);
         (choice.scheme, choice.centered)
     }
@@ -346,7 +353,7 @@ mod tests {
             let (numerator, denominator) = interpret(&builder.program, &[value], &numbers).unwrap().remove(0);
             prop_assert_eq!(&numerator, &(&poly * &denominator));
 
-            let choice = choose(&poly, &v, Range::of(&domain[1]).as_ref(), preference);
+            let choice = choose(&poly, &v, Range::of(&domain[1], preference).as_ref(), preference);
             let at = (start as f64 + 3.0 * place) / 2.0;
             let program = round(&builder.program).unwrap();
             let floats = Floats { u: 0.0, v: at, symbols: &[], variant: Variant::Plain };

@@ -49,6 +49,7 @@ use std::fmt;
 
 use hodograph_algebra::{BoxSign, Fraction, Interval, Poly, Rational, Variable, budget};
 
+pub(crate) use accurate::have_one_sign;
 pub use check::{Fractions, Mismatch, check};
 pub use forms::Preference;
 

@@ -108,9 +108,7 @@ impl Signed {
         let parameter = builder.program.input(input);
         let mut value = builder.polynomial(&self.rest);
         for (root, is_below, exponent) in &self.differences {
-            let root = builder.program.constant(root.clone());
-            let (first, second) = if *is_below { (parameter, root) } else { (root, parameter) };
-            let difference = builder.program.subtract(first, second);
+            let difference = builder.distance(parameter, root, *is_below);
             let power = builder.power(difference, *exponent as usize);
             value = builder.program.multiply(power, value);
         }

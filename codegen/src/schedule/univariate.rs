@@ -69,7 +69,7 @@ impl<'a> Builder<'a> {
         preference: Preference,
     ) -> Builder<'a> {
         Builder {
-            ranges: domain.each_ref().map(Range::of),
+            ranges: domain.each_ref().map(|ends| Range::of(ends, preference)),
             preference,
             written: BTreeSet::new(),
             program: Program::new(),
