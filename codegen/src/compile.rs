@@ -11,7 +11,7 @@ use std::fmt;
 use hodograph_algebra::budget::{self, Exhausted};
 use hodograph_algebra::{
     BoxSign, ControlNet, Derivation, Essentials, Fraction, OffsetError, Poly, Rational, SweptSurface,
-    Variable,
+    Variable, integer,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -128,13 +128,27 @@ fn with_derived<T>(model: &Model, derivation: &Essentials, work: impl FnOnce(&De
         .each_ref()
         .map(|interval| [rational_near(interval.lower()), rational_near(interval.upper())]);
     let conditions = conditions(model, derivation);
+    let is_family = !derivation.symbols.is_empty();
+    let unit = |polys: &[Poly]| if is_family { integer(1) } else { round::power_of_size(polys) };
+    let coordinates = derivation.homogeneous.coordinates();
+    let scale = unit(coordinates);
+    let homogeneous = coordinates.each_ref().map(|poly| poly.scale(&scale.recip()));
+    // The unit normal does not depend on the size of N.
+    let of_normal = derivation.normal.as_ref().map_or_else(|| integer(1), |normal| unit(normal.numerator()));
+    let normal = derivation
+        .normal
+        .as_ref()
+        .map(|normal| normal.numerator().each_ref().map(|poly| poly.scale(&of_normal.recip())));
+    let normal_root = length.map(|root| root.scale(&of_normal.recip()));
+    let factor = derivation.normal.as_ref().map(|normal| normal.factor().scale(&of_normal));
     work(&Derived {
         parameters: derivation.parameters.each_ref(),
-        homogeneous: derivation.homogeneous.coordinates(),
-        normal: derivation.normal.as_ref().map(hodograph_algebra::Normal::numerator),
-        normal_root: length.as_ref(),
+        homogeneous: &homogeneous,
+        scale,
+        normal: normal.as_ref(),
+        normal_root: normal_root.as_ref(),
         singular: derivation.orientation.as_ref(),
-        factor: derivation.normal.as_ref().map(hodograph_algebra::Normal::factor),
+        factor: factor.as_ref(),
         known: &known,
         domain: &domain,
         conditions: &conditions,
@@ -237,6 +251,7 @@ fn compile_unlimited(model: &Model) -> Result<Artifact, CompileError> {
         proofs,
         offset,
         piece: model.piece.as_ref().map(|piece| piece_of(piece, v.lower())).transpose()?,
+        is_accurate: model.preference == ast::Preference::Accurate && symbols.is_empty(),
         symbols,
         program,
     })

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use hodograph_algebra::{Int, Poly, Rational};
+use hodograph_algebra::{Int, Poly, Rational, integer};
 
 use crate::program::Program;
 
@@ -139,11 +139,29 @@ fn scaled(numerator: &Int, denominator: &Int, exponent: i64) -> (Int, Int) {
     }
 }
 
+/// The power of two that is about the size of the largest coefficient, if it is far from 1; 1 if it is not.
+pub(crate) fn power_of_size(polys: &[Poly]) -> Rational {
+    let bits = |int: &Int| i64::try_from(int.bits()).unwrap_or(i64::MAX / 4);
+    let of_poly = |poly: &Poly| {
+        let largest = poly.terms().iter().map(|term| bits(&term.coefficient)).max()?;
+        Some(largest + bits(poly.content().numer()) - bits(poly.content().denom()))
+    };
+    let size = polys.iter().filter_map(of_poly).max().unwrap_or(0);
+    if size.abs() < FAR {
+        return integer(1);
+    }
+    let power = Rational::from(Int::from(1).shl(size.unsigned_abs()));
+    if size < 0 { power.recip() } else { power }
+}
+
+/// The bits that coefficients may have before all are scaled.
+const FAR: i64 = 64;
+
 #[cfg(test)]
 mod tests {
     use hodograph_algebra::{Int, Poly, Rational, integer, ratio};
 
-    use super::{RoundError, nearest, nearest_to_rational};
+    use super::{RoundError, nearest, nearest_to_rational, power_of_size};
 
     fn exact(value: f64) -> Rational {
         super::exact(value).unwrap()
@@ -217,6 +235,16 @@ mod tests {
         // √2 − 665857/470832, which is −1.5948618246068547e-12, cancels most of its digits.
         let difference = Poly::sqrt_of(&integer(2)) - Poly::constant(ratio(665_857, 470_832));
         assert_eq!(nearest(&difference), Ok(-1.594_861_824_606_854_7e-12));
+    }
+
+    #[test]
+    fn sizes_far_from_one_are_powers_of_two() {
+        let one = |number: Rational| power_of_size(&[Poly::zero(), Poly::constant(number)]);
+        assert_eq!(
+            (one(integer(1000)), one(ratio(1, 1000)), power_of_size(&[])),
+            (integer(1), integer(1), integer(1))
+        );
+        assert_eq!((one(power(80)), one(-power(-80) * integer(3))), (power(81), power(-78)));
     }
 
     #[test]

@@ -5,6 +5,8 @@ use hodograph_algebra::{OffsetError, SweptSurface, budget};
 use hodograph_codegen::language::ast::Verdict;
 use hodograph_codegen::language::{Diagnostics, Report, parse_text};
 use hodograph_codegen::meaning::{Judgement, Model, models};
+use hodograph_codegen::program::{Floats, Variant, interpret};
+use hodograph_codegen::schedule::outputs;
 
 /// The profile is a parabola, so that x and z have different degrees; nothing of it cancels.
 const PROFILE: &str = "profile p(u) = u*i + u^2*k;";
@@ -568,4 +570,29 @@ fn families_compile_whose_named_polynomials_have_further_symbols() {
         assert_eq!(artifact.coordinate_degrees[0], weight, "{sweep}");
         assert!(!artifact.symbols.is_empty(), "{sweep}");
     }
+}
+
+/// Coefficients whose products no float would hold are scaled by powers of two; what is evaluated is the same.
+#[test]
+fn coefficients_of_any_size_have_evaluators() {
+    let text = "sweep large {
+        surface R = (3^120*u + v^2, v/3^90, u*v + 2^100*u^2)/(5^70 + 7^60*u*v);
+        domain u in 0..1, v in 0..1;
+    }";
+    let (file, _) = hodograph_codegen::language::parse_text("large.sweep", text).unwrap();
+    let (models, _) = hodograph_codegen::meaning::models(&file);
+    let artifact = hodograph_codegen::compile::compile(&models[0]).unwrap();
+    let floats = Floats { u: 0.5, v: 0.25, symbols: &[], variant: Variant::Plain };
+    let result = |output| interpret(&artifact.program, artifact.program.results(output), &floats).unwrap();
+    let weight = 5_f64.powi(70) + 7_f64.powi(60) * 0.125;
+    let expected = [
+        (3_f64.powi(120) * 0.5 + 0.0625) / weight,
+        0.25 / 3_f64.powi(90) / weight,
+        (0.125 + 2_f64.powi(98)) / weight,
+    ];
+    for (found, expected) in result(outputs::POINT).into_iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 1e-13, "{found} is not {expected}");
+    }
+    let homogeneous = result(outputs::HOMOGENEOUS);
+    assert!((homogeneous[1] / homogeneous[0] / expected[0] - 1.0).abs() < 1e-13);
 }

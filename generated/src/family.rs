@@ -32,8 +32,13 @@ impl fmt::Display for ParameterError {
         match self {
             Self::NotFinite { parameter } => write!(f, "`{parameter}` is not finite"),
             Self::Overflow => f.write_str("the coefficients of the surface overflow"),
-            Self::Pole { u, v } => write!(f, "the weight of the surface vanishes near u = {u}, v = {v}"),
-            Self::Speed => f.write_str("the parametric speed of a curve vanishes on the domain"),
+            Self::Pole { u, v } => write!(
+                f,
+                "the weight of the surface vanishes, or comes too near to zero, at about u = {u}, v = {v}"
+            ),
+            Self::Speed => f.write_str(
+                "the parametric speed of a curve vanishes on the domain, or comes too near to zero",
+            ),
         }
     }
 }

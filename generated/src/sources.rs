@@ -53,6 +53,7 @@ pub const fn runtime() -> &'static [Source] {
         Source { name: "real", text: include_str!("real.rs") },
         Source { name: "surface", text: include_str!("surface.rs") },
         Source { name: "task", text: include_str!("task.rs") },
+        Source { name: "tracked", text: include_str!("tracked.rs") },
         Source { name: "undefined", text: include_str!("undefined.rs") },
         Source { name: "values", text: include_str!("values.rs") },
     ]

@@ -30,6 +30,13 @@ pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
         lines.push(format!("- A family: each member computes its coefficients once, in {once}."));
         lines.push("- The degrees are those of a general member.".to_string());
     }
+    if artifact.is_accurate {
+        lines.push(
+            "- Accurate: the point, on grids and of offsets too. The separated point, derivatives and homogeneous coordinates are those of \
+             the smaller bounds."
+                .to_string(),
+        );
+    }
     if let Some(proofs) = &artifact.proofs {
         lines.extend(proofs.certificates.iter().map(|line| format!("- {line}")));
         let boundless = proofs.bounds.iter().filter_map(|bound| Some((bound.name, bound.failure.as_ref()?)));

@@ -60,6 +60,8 @@ pub struct Artifact {
     pub symbols: Vec<Setting>,
     /// Which piece of a surface of several pieces it is.
     pub piece: Option<PieceOf>,
+    /// Whether its point is the one without cancellation.
+    pub is_accurate: bool,
     /// The scheduled program (see [`crate::schedule`]) with rounded constants.
     pub program: Program<f64>,
 }

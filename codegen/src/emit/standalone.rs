@@ -28,7 +28,12 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
     };
     let files: Vec<(&str, &str)> = files.iter().copied().filter(|(module, _)| wanted(module)).collect();
     let mut exports = TokenStream::new();
-    exports.extend(families.then(|| quote! { pub use family::ParameterError; }));
+    exports.extend(families.then(|| {
+        quote! {
+            pub use family::ParameterError;
+            pub use tracked::{NumberBound, error_bounds};
+        }
+    }));
     exports
         .extend(in_pieces.then(|| quote! { pub use pieces::{Pieces, Piecewise, PiecewiseBatch, Visitor}; }));
     let runtime = runtime(&name, &files, &exports)?;
@@ -39,7 +44,7 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
 }
 
 /// The files that only families need.
-const OF_FAMILIES: [&str; 2] = ["bernstein", "family"];
+const OF_FAMILIES: [&str; 3] = ["bernstein", "family", "tracked"];
 
 /// The file that only surfaces of several pieces need.
 const OF_PIECES: [&str; 1] = ["pieces"];

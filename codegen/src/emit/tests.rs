@@ -27,6 +27,7 @@ fn artifact(name: &str, example: &Example) -> Artifact {
         proofs: None,
         offset: None,
         piece: None,
+        is_accurate: false,
         program: round(&exact.fused()).unwrap(),
     }
 }

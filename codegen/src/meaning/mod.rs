@@ -84,7 +84,8 @@
 //! polynomial, the one with the fewest operations and steps of latency is taken, unless another one is much more accurate. With it the
 //! one with the least error figure is taken, and the point is summed over the Bernstein basis: where the control points'
 //! coordinates have one sign nothing cancels, so that each coordinate is accurate relative to itself. It costs two to four
-//! times as many operations. Families are always `fast`.
+//! times as many operations. That holds for the point, and for what is made of it: grids of points and offsets. The separated point,
+//! derivatives and homogeneous coordinates may cancel as before. Families are always `fast`.
 //!
 //! ```
 //! use hodograph_codegen::{language::parse_text, meaning::models};

@@ -170,7 +170,10 @@ pub fn check(program: &Program<Poly>, derived: &Derived<'_>) -> Result<(), Misma
     let mut numbers = Interpreter::new(program, &arithmetic);
     let one = Poly::one();
     let mut expected = vec![
-        (outputs::HOMOGENEOUS, over(derived.homogeneous, &one)),
+        (
+            outputs::HOMOGENEOUS,
+            over(&derived.homogeneous.each_ref().map(|poly| poly.scale(&derived.scale)), &one),
+        ),
         (outputs::POINT, over(coordinates, weight)),
         (outputs::SEPARATED_POINT, over(coordinates, weight)),
     ];

@@ -47,7 +47,7 @@ mod weingarten;
 
 use std::fmt;
 
-use hodograph_algebra::{BoxSign, Fraction, Interval, Poly, Rational, Variable, budget};
+use hodograph_algebra::{BoxSign, Fraction, Interval, Poly, Rational, Variable, budget, integer};
 
 pub(crate) use accurate::have_one_sign;
 pub use check::{Fractions, Mismatch, check};
@@ -67,8 +67,10 @@ type OutputValues = (&'static str, Vec<Value>);
 pub struct Derived<'a> {
     /// The parameters u and v.
     pub parameters: [&'a Variable; 2],
-    /// The homogeneous coordinates W, X, Y, Z, with W not zero.
+    /// The homogeneous coordinates W, X, Y, Z by `scale`, with W not zero.
     pub homogeneous: &'a [Poly; 4],
+    /// A power of two, so that floats hold what is made of very large or very small coefficients; 1 for others.
+    pub scale: Rational,
     /// The numerators of the normal: R_u × R_v without the common factor of its components. If there are none, the normal
     /// is computed from the derivatives.
     pub normal: Option<&'a [Poly; 3]>,
@@ -188,6 +190,7 @@ impl std::error::Error for ScheduleError {}
 /// let saddle = Derived {
 ///     parameters: [&u, &v],
 ///     homogeneous: &[Poly::one(), x.clone(), y.clone(), &x * &y],
+///     scale: integer(1),
 ///     normal: Some(&[-&y, -&x, Poly::one()]),
 ///     normal_root: None,
 ///     singular: None,
@@ -227,6 +230,12 @@ pub fn schedule_preferring(
             form.schedule_surface(&mut builder, &preferred);
         }
         None => inseparable::schedule_surface(&mut builder, derived.homogeneous),
+    }
+    if derived.scale != integer(1) {
+        let scale = builder.program.constant(Poly::constant(derived.scale.clone()));
+        let scaled = builder.program.results(outputs::HOMOGENEOUS).to_vec();
+        let values = scaled.into_iter().map(|value| builder.program.multiply(scale, value)).collect();
+        builder.program.set_output(outputs::HOMOGENEOUS, values);
     }
     let wanted = preference == Preference::Accurate && !is_family;
     let accurate = wanted.then(|| accurate::point(&mut builder, derived.homogeneous)).flatten();

@@ -12,6 +12,7 @@ use hodograph_algebra::{Poly, Variable};
 use super::families::{self, symbols};
 use super::linear;
 use super::quotient::{proportional, ratio_of, remainder};
+use crate::round::power_of_size;
 
 /// The parameters u and v of a surface.
 #[derive(Clone, Debug)]
@@ -101,7 +102,9 @@ impl Separation {
                 _ => {
                     let scaled = self.basis[k].normalized();
                     let lowest = scaled.terms().last().map(|term| term.coefficient < 0.into());
-                    let factor = ratio_of(&scaled, &self.basis[k]);
+                    // Floats hold the coefficients, if they are large too.
+                    let size = power_of_size(std::slice::from_ref(&scaled));
+                    let factor = ratio_of(&scaled, &self.basis[k]).scale(&size.recip());
                     if lowest == Some(true) { -factor } else { factor }
                 }
             };

@@ -24,6 +24,7 @@ impl Example {
         Derived {
             parameters: [&self.u, &self.v],
             homogeneous: &self.homogeneous,
+            scale: integer(1),
             normal: Some(&self.normal),
             normal_root: self.root.as_ref(),
             singular: self.singular.as_ref(),
