@@ -61,6 +61,7 @@ fn mistakes_in_files_have_their_places() {
     assert_eq!(mistake("[1, \n"), "f.json:1:4: expected a value, found the end");
     assert_eq!(mistake("[[}]"), "f.json:1:3: expected a value, found `}`");
     assert_eq!(mistake("[7]"), "f.json:1:2: a frame is expected, but this is a number");
+    assert_eq!(mistake("[01]"), "f.json:1:2: a number in JSON does not begin with a zero that says nothing");
     assert_eq!(mistake("[{\"a\": 1, \"a\": 2}]"), "f.json:1:11: the key \"a\" stands twice");
     assert_eq!(mistake("[{\"a\" 1}]"), "f.json:1:7: expected `:`, found the number 1");
     assert_eq!(mistake("[{a: 1}]"), "f.json:1:3: expected a key in double quotes, found `a`");

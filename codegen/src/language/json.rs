@@ -90,13 +90,14 @@ impl Reader<'_> {
         match token {
             TokenKind::Minus => {
                 self.at += 1;
-                let TokenKind::Number(text) = self.peek().clone() else {
-                    return Err(self.expected("a number"));
-                };
+                let text = self.number()?;
                 let span = start.to(self.advance());
                 Ok(Json { kind: JsonKind::Number(true, text), span })
             }
-            TokenKind::Number(text) => self.one(JsonKind::Number(false, text)),
+            TokenKind::Number(_) => {
+                let text = self.number()?;
+                self.one(JsonKind::Number(false, text))
+            }
             TokenKind::Str(text) => self.one(JsonKind::Text(text)),
             TokenKind::Ident(word) if ["true", "false", "null"].contains(&word.as_str()) => {
                 self.one(JsonKind::Word)
@@ -132,6 +133,18 @@ impl Reader<'_> {
             }
             _ => Err(self.expected("a value")),
         }
+    }
+
+    /// The number that stands here.
+    fn number(&self) -> Result<String, Diagnostic> {
+        let TokenKind::Number(text) = self.peek() else { return Err(self.expected("a number")) };
+        let mut digits = text.bytes();
+        if digits.next() == Some(b'0') && digits.next().is_some_and(|digit| digit.is_ascii_digit()) {
+            let wrong =
+                Diagnostic::new(self.span(), "a number in JSON does not begin with a zero that says nothing");
+            return Err(wrong.help(format!("write `{}`", text.trim_start_matches('0'))));
+        }
+        Ok(text.clone())
     }
 
     fn one(&mut self, kind: JsonKind) -> Result<Json, Diagnostic> {

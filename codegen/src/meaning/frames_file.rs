@@ -164,7 +164,7 @@ fn number(value: &Json, diagnostics: &mut Diagnostics) -> Option<Poly> {
         None => {
             let wrong = Diagnostic::new(value.span, format!("{digits:?} is no number"));
             diagnostics
-                .push(wrong.help("write a decimal of up to 4096 digits, or a quotient such as \"3/5\""));
+                .push(wrong.help("write a decimal of up to 4096 digits with an exponent of that size at most, or a quotient such as \"3/5\""));
             None
         }
     }
