@@ -12,7 +12,7 @@ use super::roots;
 use super::scope::Scope;
 use super::value::{ComplexFraction, Value};
 use crate::language::Span;
-use crate::language::ast::{Argument, Expr, ExprKind};
+use crate::language::ast::{Argument, Expr, ExprKind, Name};
 
 /// The value of `callee(arguments)`.
 pub(super) fn call(scope: &Scope, span: Span, callee: &Expr, arguments: &[Argument]) -> Result<Value, Fault> {
@@ -20,48 +20,54 @@ pub(super) fn call(scope: &Scope, span: Span, callee: &Expr, arguments: &[Argume
         ExprKind::Ident(name) if super::scope::FUNCTIONS.contains(&name.as_str()) => {
             function(scope, name, &Call { scope, span, name, arguments })
         }
-        ExprKind::Member { object, member } => {
-            let owner = scope.evaluate(object)?;
-            if let Value::Curve(curve) = owner.bare() {
-                if member.value == "offset" {
-                    let call = Call { scope, span, name: "offset", arguments };
-                    let [distance] = call.positional()?;
-                    let distance = scope.scalar(distance, "the distance of an offset")?;
-                    return curve
-                        .offset(&distance)
-                        .map(Value::Vector)
-                        .map_err(|error| Fault::curve(span, &error));
-                }
-                let value = super::members::member(scope, callee.span(), object, member)?;
-                return apply(scope, span, callee, &value, &[curve.parameter().clone()], arguments);
-            }
-            if let Value::Motion(motion) = owner.bare() {
-                let name = &member.value;
-                if let Some(moved) = super::frames::method(scope, motion, span, name, arguments) {
-                    return moved;
-                }
-                let value = super::frames::member(motion, callee.span(), member)?;
-                return apply(scope, span, callee, &value, &[motion.parameter().clone()], arguments);
-            }
-            if let Value::AdaptedFrame(frame) = owner.bare() {
-                // The Frenet frame has values at points, be it rational or not.
-                let at = match arguments {
-                    [argument] if argument.name.is_none() => {
-                        scope.scalar(&argument.value, "the value of the parameter")?.to_number()
-                    }
-                    _ => None,
-                };
-                let value = frame.member(callee.span(), member, at.as_ref())?;
-                return apply(scope, span, callee, &value, &[frame.curve.parameter().clone()], arguments);
-            }
-            let value = scope.evaluate(callee)?;
-            apply_value(scope, span, callee, &value, arguments)
-        }
+        ExprKind::Member { object, member } => call_member(scope, span, callee, (object, member), arguments),
         _ => {
             let value = scope.evaluate(callee)?;
             apply_value(scope, span, callee, &value, arguments)
         }
     }
+}
+
+/// The value of `object.member(arguments)`, where `callee` is `object.member`.
+fn call_member(
+    scope: &Scope,
+    span: Span,
+    callee: &Expr,
+    (object, member): (&Expr, &Name),
+    arguments: &[Argument],
+) -> Result<Value, Fault> {
+    let owner = scope.evaluate(object)?;
+    if let Value::Curve(curve) = owner.bare() {
+        if member.value == "offset" {
+            let call = Call { scope, span, name: "offset", arguments };
+            let [distance] = call.positional()?;
+            let distance = scope.scalar(distance, "the distance of an offset")?;
+            return curve.offset(&distance).map(Value::Vector).map_err(|error| Fault::curve(span, &error));
+        }
+        let value = super::members::member(scope, callee.span(), object, member)?;
+        return apply(scope, span, callee, &value, &[curve.parameter().clone()], arguments);
+    }
+    if let Value::Motion(motion) = owner.bare() {
+        let name = &member.value;
+        if let Some(moved) = super::frames::method(scope, motion, span, name, arguments) {
+            return moved;
+        }
+        let value = super::frames::member(motion, callee.span(), member)?;
+        return apply(scope, span, callee, &value, &[motion.parameter().clone()], arguments);
+    }
+    if let Value::AdaptedFrame(frame) = owner.bare() {
+        // The Frenet frame has values at points, be it rational or not.
+        let at = match arguments {
+            [argument] if argument.name.is_none() => {
+                scope.scalar(&argument.value, "the value of the parameter")?.to_number()
+            }
+            _ => None,
+        };
+        let value = frame.member(callee.span(), member, at.as_ref())?;
+        return apply(scope, span, callee, &value, &[frame.curve.parameter().clone()], arguments);
+    }
+    let value = scope.evaluate(callee)?;
+    apply_value(scope, span, callee, &value, arguments)
 }
 
 fn apply_value(

@@ -1,4 +1,4 @@
-//! The functions of the language: derivatives, products of vectors, roots, angles, degrees, offsets.
+//! The functions of the language: derivatives, roots, angles, degrees, offsets.
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -12,114 +12,27 @@ use super::calls::Call;
 use super::fault::Fault;
 use super::scope::{COORDINATES, Scope};
 use super::value::{ComplexFraction, DegreeValue, Value};
-use super::{curves, roots, spatial, surfaces};
+use super::{curves, products, roots, spatial, surfaces};
 use crate::language::Span;
 use crate::language::ast::{Expr, ExprKind};
 
 /// The value of a call of a function of the language.
 pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Value, Fault> {
+    // What functions have on the stack adds up where calls are nested, so that each is by itself.
     match name {
         "diff" => derivative(scope, call),
-        "dot" => {
-            let [a, b] = call.positional()?;
-            let (left, right) = (scope.evaluate(a)?, scope.evaluate(b)?);
-            if roots::concern(&left, &right)
-                && let Some(product) = roots::dot(&left, &right, call.span)?
-            {
-                return Ok(product);
-            }
-            Ok(Value::Scalar(call.vector(a)?.dot(&call.vector(b)?)))
-        }
-        "cross" => {
-            let [a, b] = call.positional()?;
-            Ok(Value::Vector(call.vector(a)?.cross(&call.vector(b)?)))
-        }
-        "norm2" => {
-            let [a] = call.positional()?;
-            let value = scope.evaluate(a)?;
-            if let Value::Quaternion(quaternion) = value.bare() {
-                return Ok(Value::Scalar(quaternion.norm2()));
-            }
-            if roots::is_rooted(&value)
-                && let Some(product) = roots::dot(&value, &value, call.span)?
-            {
-                return Ok(product);
-            }
-            match value.complex() {
-                Some(complex) => Ok(Value::Scalar(complex.norm2())),
-                None => Ok(Value::Scalar(call.vector_of(a, &value)?.norm2())),
-            }
-        }
-        "conj" | "re" | "im" => {
-            let [a] = call.positional()?;
-            let value = scope.evaluate(a)?;
-            if let (Value::Quaternion(quaternion), "conj") = (value.bare(), name) {
-                return Ok(Value::Quaternion(quaternion.conj()));
-            }
-            let complex = value.complex().ok_or_else(|| {
-                Fault::new(a.span(), format!("`{name}` needs a complex number, but this is {}", value.kind()))
-            })?;
-            Ok(match name {
-                "conj" => Value::Complex(complex.conj()),
-                "re" => Value::Scalar(complex.re),
-                _ => Value::Scalar(complex.im),
-            })
-        }
+        "dot" => products::dot(scope, call),
+        "cross" => products::cross(call),
+        "norm2" => products::norm2(scope, call),
+        "conj" | "re" | "im" => products::part(scope, name, call),
         "sqrt" => square_root(scope, call),
-        "abs" => {
-            let [a] = call.positional()?;
-            let number = scope.number(a, "the argument of `abs`")?;
-            let negative = number.sign().is_lt();
-            Ok(Value::Scalar(if negative { (-number).into() } else { number.into() }))
-        }
+        "abs" => absolute(scope, call),
         "exp" | "cos" | "sin" => angle(scope, call),
         "degree" => degree(scope, call),
-        "homogeneous" => {
-            let [a] = call.positional()?;
-            let homogeneous = homogeneous(scope, call, a)?;
-            Ok(Value::Tuple(homogeneous.coordinates().iter().map(|poly| poly.clone().into()).collect()))
-        }
-        "normal" => {
-            let [a] = call.positional()?;
-            match scope.evaluate(a)?.bare() {
-                Value::Surface(surface) => {
-                    let normal = surface.normal().map_err(|error| Fault::offset(a.span(), &error))?;
-                    let [x, y, z] = normal.numerator().each_ref().map(|poly| Fraction::from(poly.clone()));
-                    Ok(Value::Vector(Vector::new(x, y, z)))
-                }
-                other => {
-                    let fault = Fault::new(
-                        a.span(),
-                        format!("`normal` needs the surface, but this is {}", other.kind()),
-                    );
-                    Err(fault.help("the normal of a curve is `s.normal`"))
-                }
-            }
-        }
-        "offset" => {
-            let [surface, distance] = call.positional()?;
-            let distance = scope.scalar(distance, "the distance of an offset")?;
-            match scope.evaluate(surface)?.bare() {
-                Value::Surface(surface) => Ok(Value::Offset(Rc::new(surface.offset(&distance)))),
-                Value::Curve(curve) => curve
-                    .offset(&distance)
-                    .map(Value::Vector)
-                    .map_err(|error| Fault::curve(call.span, &error)),
-                other => {
-                    let message =
-                        format!("`offset` needs a surface or a curve, but this is {}", other.kind());
-                    Err(Fault::new(surface.span(), message))
-                }
-            }
-        }
-        "gcd" => {
-            let polys = call
-                .several()?
-                .into_iter()
-                .map(|expr| polynomial(scope, expr))
-                .collect::<Result<Vec<_>, _>>()?;
-            Ok(Value::Scalar(Poly::gcd_many(&polys).into()))
-        }
+        "homogeneous" => coordinates(scope, call),
+        "normal" => normal(scope, call),
+        "offset" => offset(scope, call),
+        "gcd" => gcd(scope, call),
         "resultant" => resultant(scope, call),
         "continuity" => super::pieces::continuity(scope, call),
         "bernstein" | "bernstein_coefficient" | "bernstein_product" => {
@@ -130,12 +43,62 @@ pub(super) fn function(scope: &Scope, name: &str, call: &Call<'_>) -> Result<Val
         "bezier_patch" | "similarity" | "similarity_offset" => surfaces::function(scope, call),
         "quat" => spatial::quaternion(scope, call),
         "canal" | "pipe" => spatial::canal(scope, call),
-        "approx" | "coprime" | "is_pn" | "is_rational" | "parallel" | "positive" => {
-            let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
-            Err(fault.help("relations stand in `claim` clauses"))
-        }
+        "approx" | "coprime" | "is_pn" | "is_rational" | "parallel" | "positive" => Err(no_value(name, call)),
         _ => curves::constructor(scope, call),
     }
+}
+
+fn no_value(name: &str, call: &Call<'_>) -> Fault {
+    let fault = Fault::new(call.span, format!("`{name}` is a relation and has no value"));
+    fault.help("relations stand in `claim` clauses")
+}
+
+fn absolute(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [a] = call.positional()?;
+    let number = scope.number(a, "the argument of `abs`")?;
+    let negative = number.sign().is_lt();
+    Ok(Value::Scalar(if negative { (-number).into() } else { number.into() }))
+}
+
+fn coordinates(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [a] = call.positional()?;
+    let homogeneous = homogeneous(scope, call, a)?;
+    Ok(Value::Tuple(homogeneous.coordinates().iter().map(|poly| poly.clone().into()).collect()))
+}
+
+fn normal(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [a] = call.positional()?;
+    match scope.evaluate(a)?.bare() {
+        Value::Surface(surface) => {
+            let normal = surface.normal().map_err(|error| Fault::offset(a.span(), &error))?;
+            let [x, y, z] = normal.numerator().each_ref().map(|poly| Fraction::from(poly.clone()));
+            Ok(Value::Vector(Vector::new(x, y, z)))
+        }
+        other => {
+            let message = format!("`normal` needs the surface, but this is {}", other.kind());
+            Err(Fault::new(a.span(), message).help("the normal of a curve is `s.normal`"))
+        }
+    }
+}
+
+fn offset(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let [surface, distance] = call.positional()?;
+    let distance = scope.scalar(distance, "the distance of an offset")?;
+    match scope.evaluate(surface)?.bare() {
+        Value::Surface(surface) => Ok(Value::Offset(Rc::new(surface.offset(&distance)))),
+        Value::Curve(curve) => {
+            curve.offset(&distance).map(Value::Vector).map_err(|error| Fault::curve(call.span, &error))
+        }
+        other => {
+            let message = format!("`offset` needs a surface or a curve, but this is {}", other.kind());
+            Err(Fault::new(surface.span(), message))
+        }
+    }
+}
+
+fn gcd(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault> {
+    let polys = call.several()?.into_iter().map(|expr| polynomial(scope, expr));
+    Ok(Value::Scalar(Poly::gcd_many(&polys.collect::<Result<Vec<_>, _>>()?).into()))
 }
 
 /// A parameter, given by its name.

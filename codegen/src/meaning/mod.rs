@@ -850,6 +850,7 @@ mod judgement;
 mod members;
 mod number;
 mod pieces;
+mod products;
 mod rationality;
 mod relation;
 mod roots;
