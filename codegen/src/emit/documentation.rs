@@ -1,6 +1,7 @@
 //! What is said of a surface in its documentation: formula, degrees, domain, costs and bounds.
 
 use super::Artifact;
+use super::pieces::Whole;
 use super::task::TASKS;
 use crate::bound::{Reason, Unbounded};
 use crate::program::{OperationCounts, Stage, Value};
@@ -49,8 +50,9 @@ pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
     lines
 }
 
-/// The lines of the documentation of a surface of several pieces, in Markdown.
-pub(super) fn of_pieces(name: &str, pieces: &[Artifact]) -> Vec<String> {
+/// The lines of the documentation of a surface of several pieces, in Markdown; `link` refers to the piece of a name.
+pub(super) fn of_pieces(whole: Whole<'_>, link: impl Fn(&str) -> String) -> Vec<String> {
+    let Whole { name, pieces } = whole;
     let Some(first) = pieces.first() else { return Vec::new() };
     let mut lines: Vec<String> = first.documentation.clone();
     if lines.is_empty() {
@@ -66,10 +68,10 @@ pub(super) fn of_pieces(name: &str, pieces: &[Artifact]) -> Vec<String> {
     lines.extend([String::new(), "| piece | v | degree |".to_string(), "| --- | --- | --- |".to_string()]);
     for piece in pieces {
         let ([_, [start, end]], (m, n)) = (piece.domain, piece.degree);
-        lines.push(format!("| [`{0}`](super::{0}) | from {start:?} to {end:?} | ({m}, {n}) |", piece.name));
+        lines.push(format!("| {} | from {start:?} to {end:?} | ({m}, {n}) |", link(&piece.name)));
     }
     lines.push(String::new());
-    let [plain, fused, single_plain, single_fused] = super::pieces::jumps(pieces);
+    let [plain, fused, single_plain, single_fused] = whole.jumps();
     if plain.is_finite() {
         lines.push(format!(
             "They meet exactly. The points that two neighbors compute at a joint differ by {plain:e} at most in `f64` plain, {fused:e} \
@@ -83,7 +85,7 @@ pub(super) fn of_pieces(name: &str, pieces: &[Artifact]) -> Vec<String> {
     } else {
         lines.push("Not all of them meet.".to_string());
     }
-    lines.extend(super::pieces::proofs(pieces).as_ref().map(bounds).unwrap_or_default());
+    lines.extend(whole.proofs().as_ref().map(bounds).unwrap_or_default());
     lines
 }
 

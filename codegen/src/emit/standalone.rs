@@ -22,7 +22,7 @@ pub fn standalone(artifacts: &[Artifact], files: &[(&str, &str)]) -> Result<Stri
     let name = Ident::new(if taken { "runtime_of_surfaces" } else { "runtime" }, Span::call_site());
     let modules = modules(artifacts, &quote! { super::#name });
     let families = artifacts.iter().any(|artifact| !artifact.symbols.is_empty());
-    let in_pieces = (1..=artifacts.len()).any(|end| pieces::pieces(&artifacts[..end]).is_some());
+    let in_pieces = (1..=artifacts.len()).any(|end| pieces::Whole::completed(&artifacts[..end]).is_some());
     let wanted = |module: &str| {
         (families || !OF_FAMILIES.contains(&module)) && (in_pieces || !OF_PIECES.contains(&module))
     };

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::super::Artifact;
+use super::super::pieces::Whole;
 use super::DOUBLE;
 use crate::offset::OffsetPatch;
 use crate::proofs::Proofs;
@@ -11,9 +12,7 @@ use crate::proofs::Proofs;
 pub(super) fn constants(name: &str, artifact: &Artifact) -> String {
     let mut text = String::new();
     degree(&mut text, "The patch degree in u and v.", name, "degree", artifact.degree);
-    let [u, v] = artifact.domain.map(|ends| list(&ends));
-    _ = writeln!(text, "/* The parameters over which the surface is stated. */");
-    _ = writeln!(text, "static const hodograph_domain {name}_domain = {{{u}, {v}}};\n");
+    domain(&mut text, name, artifact.domain);
     if artifact.symbols.is_empty() {
         let points: Vec<String> = artifact.control_net.iter().map(|point| list(point)).collect();
         text += "/* Homogeneous Bezier control points (W, X, Y, Z) over the domain, rounded; the index of u is the outer one. */\n";
@@ -29,6 +28,40 @@ pub(super) fn constants(name: &str, artifact: &Artifact) -> String {
     text
 }
 
+/// The degree, the domain, the joints with the jumps there, and the bounds of a surface of several pieces.
+pub(super) fn of_whole(name: &str, whole: Whole<'_>) -> String {
+    let mut text = String::new();
+    degree(&mut text, "The largest degrees of all pieces in u and v.", name, "degree", whole.degree());
+    domain(&mut text, name, whole.domain());
+    let joints: Vec<f64> = whole.joints().collect();
+    let (length, [jump, _, jump_f, _]) = (joints.len(), whole.jumps().map(|jump| DOUBLE.literal(jump)));
+    _ = writeln!(
+        text,
+        "/* How many pieces there are. */
+enum {{ {name}_count = {count} }};
+
+/*
+ * The joints: where one piece ends and the next one begins, ascending. Of a joint that is no double it is the next larger one. A
+ * piece is evaluated from the joint before it on, and without the one after it; beyond the first and the last joint, outside of
+ * the domain too, it is the first and the last piece. All results have the bits of the piece.
+ */
+static const double {name}_joints[{length}] = {joints};
+
+/*
+ * Upper bounds for the length of the jump at a joint, from rounding alone: the largest difference of the points that two neighbors
+ * compute there, in double and in single precision; infinite where nothing is proved.
+ */
+static const double {name}_jump = {jump}, {name}_jump_f = {jump_f};
+",
+        count = length + 1,
+        joints = list(&joints),
+    );
+    if let Some(proofs) = &whole.proofs() {
+        bounds(&mut text, name, proofs);
+    }
+    text
+}
+
 /// A list of numbers in braces.
 fn list(numbers: &[f64]) -> String {
     let numbers: Vec<String> = numbers.iter().map(|&number| DOUBLE.literal(number)).collect();
@@ -38,6 +71,12 @@ fn list(numbers: &[f64]) -> String {
 /// Degrees in u and v, as numbers that sizes of arrays may depend on.
 fn degree(text: &mut String, documentation: &str, name: &str, what: &str, (m, n): (u32, u32)) {
     _ = writeln!(text, "/* {documentation} */\nenum {{ {name}_{what}_u = {m}, {name}_{what}_v = {n} }};\n");
+}
+
+fn domain(text: &mut String, name: &str, domain: [[f64; 2]; 2]) {
+    let [u, v] = domain.map(|ends| list(&ends));
+    _ = writeln!(text, "/* The parameters over which the surface is stated. */");
+    _ = writeln!(text, "static const hodograph_domain {name}_domain = {{{u}, {v}}};\n");
 }
 
 fn table(text: &mut String, name: &str, size: &str, rows: &[String]) {

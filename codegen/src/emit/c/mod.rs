@@ -7,13 +7,16 @@
 mod constants;
 mod expression;
 mod family;
+mod form;
 mod net;
+mod pieces;
 mod surface;
 mod template;
 
 use std::fmt::Write;
 
 use super::code::Code;
+use super::pieces::Whole;
 use super::{Artifact, documentation};
 use crate::bound::Precision;
 use crate::proofs::BOUNDED;
@@ -52,7 +55,8 @@ impl Type {
 ///
 /// For each sweep `name` it has `name_point(u, v, out)` and the like, with `f` after the name in single precision, which return a
 /// `hodograph_status`; batches such as `name_grid`; constants such as `name_control_net`; and for a family a struct that
-/// `name_new` fills with the member's coefficients. The comment at its beginning lists them all.
+/// `name_new` fills with the member's coefficients. Pieces of a surface that follow one another completely are followed by the
+/// whole, which has all this too. The comment at its beginning lists them all.
 ///
 /// A name that begins with `hodograph`, as those of the header itself do, has `sweep_` in front.
 ///
@@ -71,8 +75,15 @@ pub fn header(artifacts: &[Artifact]) -> String {
     if artifacts.iter().any(|artifact| !artifact.symbols.is_empty()) {
         text.push_str(include_str!("families.h.in"));
     }
-    for artifact in artifacts {
+    let whole = |index: usize| Whole::completed(&artifacts[..=index]);
+    if (0..artifacts.len()).any(|index| whole(index).is_some()) {
+        text.push_str(include_str!("joints.h.in"));
+    }
+    for (index, artifact) in artifacts.iter().enumerate() {
         surface(&mut text, artifact);
+        if let Some(whole) = whole(index) {
+            pieces::whole(&mut text, whole);
+        }
     }
     text.push_str("\n#ifdef __cplusplus\n}\n#endif\n");
     text
@@ -94,28 +105,35 @@ fn prologue() -> String {
     fill(include_str!("prologue.h.in"), &values.each_ref().map(|(key, value)| (*key, value.as_str())))
 }
 
-/// What all names of a sweep begin with.
-fn prefix(artifact: &Artifact) -> String {
-    let own = if artifact.name.starts_with("hodograph") { "sweep_" } else { "" };
-    format!("{own}{}", artifact.name)
+/// What all names of the sweep of this name begin with.
+fn prefix(name: &str) -> String {
+    let own = if name.starts_with("hodograph") { "sweep_" } else { "" };
+    format!("{own}{name}")
 }
 
 fn surface(text: &mut String, artifact: &Artifact) {
-    let name = &prefix(artifact);
+    let name = &prefix(&artifact.name);
     let runtime = proc_macro2::TokenStream::new();
     let code = &Code::new(&artifact.program, &runtime);
+    let mut content = constants::constants(name, artifact);
+    if code.is_family() {
+        content.push_str(&family::family(name, artifact, code));
+    }
+    for kind in [DOUBLE, SINGLE] {
+        content.push_str(&surface::evaluators(name, code, kind));
+    }
+    section(text, name, &documentation::lines(artifact), &content);
+}
+
+/// The section of a sweep, which can be in several headers that are included together.
+fn section(text: &mut String, name: &str, documentation: &[String], content: &str) {
     text.push_str("\n/*\n");
-    for line in documentation::lines(artifact) {
+    for line in documentation {
         let line = line.replace("*/", "* /");
         _ = writeln!(text, " *{}{}", if line.is_empty() { "" } else { " " }, line);
     }
-    _ = write!(text, " */\n#ifndef HODOGRAPH_SWEEP_{name}\n#define HODOGRAPH_SWEEP_{name}\n\n");
-    text.push_str(&constants::constants(name, artifact));
-    if code.is_family() {
-        text.push_str(&family::family(name, artifact, code));
-    }
-    for kind in [DOUBLE, SINGLE] {
-        text.push_str(&surface::evaluators(name, code, kind));
-    }
-    _ = writeln!(text, "#endif");
+    _ = write!(
+        text,
+        " */\n#ifndef HODOGRAPH_SWEEP_{name}\n#define HODOGRAPH_SWEEP_{name}\n\n{content}#endif\n"
+    );
 }

@@ -9,17 +9,10 @@ use super::super::stages::Frontier;
 use super::super::task::{TASKS, Task};
 use super::Type;
 use super::expression::{variable, write};
+use super::form::{Form, SELECTED, Selected};
 use super::template::fill;
 use crate::program::{Input, Value};
 use crate::schedule::outputs;
-
-/// What single results are named, each with the output of the program that holds it, its first number there and their count.
-const SELECTED: [(&str, &str, &str, usize, usize); 4] = [
-    ("partial_u", "derivative R_u", outputs::PARTIAL_U, 0, 3),
-    ("partial_v", "derivative R_v", outputs::PARTIAL_V, 0, 3),
-    ("speed_u", "parametric speed |R_u|", outputs::SPEEDS, 0, 1),
-    ("speed_v", "parametric speed |R_v|", outputs::SPEEDS, 1, 1),
-];
 
 /// All functions of a surface.
 pub(super) fn evaluators(name: &str, code: &Code<'_>, kind: Type) -> String {
@@ -27,37 +20,9 @@ pub(super) fn evaluators(name: &str, code: &Code<'_>, kind: Type) -> String {
     let stages: String = TASKS.iter().map(|task| writer.stages(task)).collect();
     let reason = writer.fill(include_str!("reason.h.in"), &[]);
     let tasks: String = TASKS.iter().map(|task| writer.task(task)).collect();
-    let selected: String = SELECTED.iter().map(|selected| writer.selected(*selected)).collect();
+    let selected: String = SELECTED.iter().map(|selected| writer.selected(selected)).collect();
     let offset = writer.fill(include_str!("offset.h.in"), &[]);
     [stages, reason, tasks, selected, offset].concat()
-}
-
-/// How results of a task are passed.
-struct Form {
-    /// What its function is named after.
-    function: &'static str,
-    /// What the names of its batches begin with.
-    batch: &'static str,
-    /// The type of the result, if it is a struct.
-    structure: Option<&'static str>,
-    /// Whether there is none where the surface has no normal.
-    needs_normal: bool,
-}
-
-impl Form {
-    fn of(task: &Task) -> Form {
-        let (function, batch, structure) = match task.name {
-            "Homogeneous" => ("homogeneous", "homogeneous_", None),
-            "Point" => ("point", "", None),
-            "Separated" => ("separated_point", "separated_", None),
-            "First" => ("first_order", "first_", Some("hodograph_first_order")),
-            "Second" => ("second_order", "second_", Some("hodograph_second_order")),
-            "Normal" => ("unit_normal", "normal_", None),
-            "Local" => ("local_geometry", "local_", Some("hodograph_local_geometry")),
-            other => unreachable!("the task {other} has no form in C"),
-        };
-        Form { function, batch, structure, needs_normal: task.outputs.contains(&outputs::UNIT_NORMAL) }
-    }
 }
 
 struct Writer<'a> {
@@ -105,7 +70,7 @@ impl Writer<'_> {
         let [(u_fields, u_body), (v_fields, v_body)] =
             [(Input::U, "u", &frontier.u), (Input::V, "v", &frontier.v)]
                 .map(|(input, letter, values)| self.stage(input, letter, values));
-        let (stages, size) = (self.stage_name(task.name), results.len().to_string());
+        let (stages, size) = (self.stages_of(&Form::of(task)), results.len().to_string());
         self.fill(
             include_str!("stages.h.in"),
             &[
@@ -122,8 +87,8 @@ impl Writer<'_> {
     }
 
     /// What the functions of a task's stages begin with.
-    fn stage_name(&self, task: &str) -> String {
-        format!("{}_{}", self.name, task.to_lowercase())
+    fn stages_of(&self, form: &Form) -> String {
+        format!("{}_{}", self.name, form.stage)
     }
 
     /// The fields of what is needed of one parameter alone, and the statements that compute them.
@@ -178,32 +143,26 @@ impl Writer<'_> {
 
     /// The function of a task for one place, and those for many.
     fn task(&self, task: &Task) -> String {
-        let Form { function, batch, structure, needs_normal } = Form::of(task);
-        let (program, Type { real, suffix, .. }) = (self.code.program, self.kind);
+        let form = Form::of(task);
+        let program = self.code.program;
         let results = task.results(program);
         let size = results.len().to_string();
-        let (one, many) = match structure {
-            Some(name) => (format!("{name}{suffix} *out"), format!("{name}{suffix} *out")),
-            None => (format!("{real} out[{size}]"), format!("{real} (*out)[{size}]")),
-        };
+        let [one, many] = form.out(self.kind, results.len());
         let documentation = format!("The {} at (u, v), in {}.", task.text, program.count_all(&results));
         let reason = match task.outputs {
             // They exist at poles.
             [outputs::HOMOGENEOUS] => self.fill("hodograph_out_of_range@f@(u, v)", &[]),
-            _ => self.reason(needs_normal),
+            _ => self.reason(form.needs_normal),
         };
-        let (none, none_text) = match needs_normal {
-            true => (self.kind.literal(0.0), "All numbers of one that does not exist are zero."),
-            false => ("INFINITY".to_string(), "All numbers of one that does not exist are infinite."),
-        };
-        let (stages, batch) = (self.stage_name(task.name), format!("{}_{batch}", self.name));
+        let (none, none_text) = form.none(self.kind);
+        let (stages, batch) = (self.stages_of(&form), format!("{}_{}", self.name, form.batch));
         let values = [("task", stages.as_str()), ("size", &size)];
         let single = self.fill(
             include_str!("evaluator.h.in"),
             &[
                 values.as_slice(),
                 &[
-                    ("function", function),
+                    ("function", form.function),
                     ("documentation", &documentation),
                     ("out", &one),
                     ("reason", &reason),
@@ -235,9 +194,10 @@ impl Writer<'_> {
     }
 
     /// The function of a single result.
-    fn selected(&self, (function, text, output, first, count): (&str, &str, &str, usize, usize)) -> String {
+    fn selected(&self, selected: &Selected) -> String {
+        let Selected { function, text, output, first, size } = *selected;
         let program = self.code.program;
-        let results = &program.results(output)[first..first + count];
+        let results = &program.results(output)[first..first + size];
         let body = self.code.body(results, &BTreeMap::new());
         let mut numbers = self.numbers(&body);
         for (input, letter) in [(Input::U, "u"), (Input::V, "v")] {
@@ -245,11 +205,8 @@ impl Writer<'_> {
                 _ = writeln!(numbers, "    (void){letter};");
             }
         }
-        let (name, size) = (format!("{}_{function}", self.name), count.to_string());
-        let out = match count {
-            1 => format!("{} *out", self.kind.real),
-            _ => format!("{} out[{size}]", self.kind.real),
-        };
+        let (name, size) = (format!("{}_{function}", self.name), size.to_string());
+        let out = selected.out(self.kind);
         let documentation = format!("The {text} at (u, v), in {}.", program.count_all(results));
         let reason = self.reason(false);
         let template = concat!(include_str!("direct.h.in"), include_str!("evaluator.h.in"));
