@@ -97,7 +97,7 @@ impl OutputBound {
         }
         self.size = self.size.max(other.size);
         self.most = self.most.max(other.most);
-        self.failure = self.failure.take().or_else(|| other.failure.clone());
+        self.failure = self.failure.or(other.failure);
     }
 }
 
