@@ -1,8 +1,17 @@
 //! The C header has the functions of the runtime, with the bits of its plain variant, where the system has a C compiler.
 
+/// Expands sweeps and keeps their text.
+macro_rules! sweeps {
+    ($($tokens:tt)*) => {
+        hodograph::sweep! { $($tokens)* }
+        const TEXT: &str = stringify!($($tokens)*);
+    };
+}
+
 mod constants;
 mod evaluation;
 mod functions;
+mod pieces;
 mod program;
 
 use std::collections::BTreeMap;
@@ -99,14 +108,6 @@ fn c_has_the_bits_of_the_plain_variant() {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }
     assert!(expected.len() > 5000 * called.count());
-}
-
-/// Expands sweeps and keeps their text.
-macro_rules! sweeps {
-    ($($tokens:tt)*) => {
-        hodograph::sweep! { $($tokens)* }
-        const TEXT: &str = stringify!($($tokens)*);
-    };
 }
 
 sweeps! {
