@@ -84,3 +84,32 @@ fn the_jump_is_that_of_both_neighbors() {
         );
     }
 }
+
+#[test]
+fn the_header_has_the_whole_after_all_of_its_pieces() {
+    let models = of(TURN);
+    let artifacts: Vec<_> = compile_all(&models).into_iter().map(|(_, artifact)| artifact.unwrap()).collect();
+    let text = emit::header(&artifacts);
+    let sections: Vec<&str> =
+        text.lines().filter(|line| line.starts_with("#define HODOGRAPH_SWEEP_")).collect();
+    assert_eq!(sections, ["turn_1", "turn_2", "turn"].map(|name| format!("#define HODOGRAPH_SWEEP_{name}")));
+    // The float next to 1/3 is below it, and nothing is said of a jump where no float is.
+    assert!(text.contains("static const double turn_joints[1] = {0.33333333333333337};"));
+    assert!(text.contains("static const double turn_jump = INFINITY, turn_jump_f = INFINITY;"));
+    assert!(text.contains("enum { turn_count = 2 };"));
+    assert!(text.contains(" * | `turn_2` | from 0.3333333333333333 to 1.0 |"));
+    assert!(text.contains(
+        "    switch (turn_piece_atf(v)) {
+    case 0:
+        return turn_1_pointf(u, v, out);
+    default:
+        return turn_2_pointf(u, v, out);
+    }
+"
+    ));
+    // Pieces that are asked for by themselves are surfaces like all others.
+    let text = emit::header(&artifacts[1..]);
+    assert!(
+        text.contains("turn_2_point(") && !text.contains("turn_count") && !text.contains("HODOGRAPH_JOINTS")
+    );
+}

@@ -1,5 +1,5 @@
 //! A self-contained C11 header with the evaluators of surfaces, in both precisions: the functions of the runtime's `Surface`,
-//! `Sweep::batch` and the constants of a surface, by the same names.
+//! `Sweep::batch` and `Piecewise`, and the constants of a surface, by the same names.
 //!
 //! Its functions have the bits of the plain variant, on machines and with options that compute as IEEE 754 has it: the header
 //! checks what it can of that.
