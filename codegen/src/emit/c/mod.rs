@@ -55,8 +55,8 @@ impl Type {
 ///
 /// For each sweep `name` it has `name_point(u, v, out)` and the like, with `f` after the name in single precision, which return a
 /// `hodograph_status`; batches such as `name_grid`; constants such as `name_control_net`; and for a family a struct that
-/// `name_new` fills with the member's coefficients. Pieces of a surface that follow one another completely are followed by the
-/// whole, which has all this too. The comment at its beginning lists them all.
+/// `name_new` fills with the member's coefficients. After all pieces of a surface comes the whole, with the same functions. The
+/// comment at the beginning lists them all.
 ///
 /// A name that begins with `hodograph`, as those of the header itself do, has `sweep_` in front.
 ///
