@@ -467,6 +467,9 @@ fn emit_writes_and_checks() -> Result<(), Box<dyn std::error::Error>> {
 
     run(&[&emit[..], &["-o", &directory.path().display().to_string()]].concat()).refused("is a directory");
     run(&[&emit[..], &["--check"]].concat()).refused("--output");
+    let clash = b"sweep tube { surface R = (u, v, u*v); domain u in 0..1, v in 0..1; }
+        sweep tube_normal { surface R = (u, v, u^2); domain u in 0..1, v in 0..1; }";
+    run_with(clash, &["emit", "-", "--target", "c"]).refused("would both define `tube_normal_");
     let header = run(&["emit", &formula, "--target", "c"]);
     assert!(
         header.status == 0

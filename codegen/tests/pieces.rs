@@ -89,7 +89,7 @@ fn the_jump_is_that_of_both_neighbors() {
 fn the_header_has_the_whole_after_all_of_its_pieces() {
     let models = of(TURN);
     let artifacts: Vec<_> = compile_all(&models).into_iter().map(|(_, artifact)| artifact.unwrap()).collect();
-    let text = emit::header(&artifacts);
+    let text = emit::header(&artifacts).unwrap();
     let sections: Vec<&str> =
         text.lines().filter(|line| line.starts_with("#define HODOGRAPH_SWEEP_")).collect();
     assert_eq!(sections, ["turn_1", "turn_2", "turn"].map(|name| format!("#define HODOGRAPH_SWEEP_{name}")));
@@ -108,7 +108,7 @@ fn the_header_has_the_whole_after_all_of_its_pieces() {
 "
     ));
     // Pieces that are asked for by themselves are surfaces like all others.
-    let text = emit::header(&artifacts[1..]);
+    let text = emit::header(&artifacts[1..]).unwrap();
     assert!(
         text.contains("turn_2_point(") && !text.contains("turn_count") && !text.contains("HODOGRAPH_JOINTS")
     );

@@ -24,6 +24,8 @@ pub(crate) fn places(surface: &dyn Evaluator, precision: Precision) -> Vec<Place
     let mut points = Points::new(surface, precision, 11);
     let mut places = points.border();
     places.extend([(0.0, -0.0), (-1.5, 2.0), (1e18, 0.5), (f64::NAN, 0.0), (0.5, f64::INFINITY)]);
+    let far = if precision == Precision::Double { 1.2e154 } else { 1.6e19 };
+    places.push((far, far));
     while places.len() < POINTS {
         places.push(points.anywhere());
         places.push(points.near_border());

@@ -80,7 +80,7 @@ fn c_has_the_bits_of_the_plain_variant() {
     let folder = tempfile::tempdir().unwrap();
     let surfaces = surfaces();
     let artifacts: Vec<Artifact> = surfaces.iter().map(|(artifact, _)| artifact.clone()).collect();
-    fs::write(folder.path().join("surfaces.h"), header(&artifacts)).unwrap();
+    fs::write(folder.path().join("surfaces.h"), header(&artifacts).unwrap()).unwrap();
     let (mut text, mut expected) = (beginning(), Expected::new());
     let called = surfaces.iter().filter_map(|(artifact, subject)| Some((artifact, subject.as_ref()?)));
     for (place, (artifact, subject)) in called.clone().enumerate() {
@@ -127,6 +127,8 @@ sweeps! {
     }
     // A pole at v = 2, and no normal at u = 0, but for poles.
     sweep cone { surface R = (u/(2 - v), u*v/(2 - v), u^2); domain u in 0..1, v in 0..1; }
+    // A weight that overflows before the other coordinates do.
+    sweep far { surface R = (u^2, v^2, 1)/(1 + u^2 + v^2); domain u in 0..1, v in 0..1; }
     // A family along a cubic with the hodograph (1 + c v) w², whose parametric speed must stay positive.
     sweep along_cubic {
         symbol c, class;
@@ -147,16 +149,17 @@ fn constants_and_names_at_the_edges() {
         .iter()
         .map(|model| compile(model).unwrap_or_else(|error| panic!("{error}")))
         .collect();
-    let surfaces: [(&str, &dyn Evaluator); 6] = [
+    let surfaces: [(&str, &dyn Evaluator); 7] = [
         ("tiny", &tiny::Tiny),
         ("huge", &huge::Huge),
         ("wide", &wide::Wide),
         ("cone", &cone::Cone),
+        ("far", &far::Far),
         ("double_", &double_::Double),
         ("sweep_hodograph_first", &hodograph_first::HodographFirst),
     ];
     assert_eq!(artifacts.len(), surfaces.len() + 1);
-    fs::write(folder.path().join("surfaces.h"), header(&artifacts)).unwrap();
+    fs::write(folder.path().join("surfaces.h"), header(&artifacts).unwrap()).unwrap();
     let (mut text, mut expected) = (beginning(), Expected::new());
     text.push_str("int main(void)\n{\n");
     for (name, surface) in surfaces {
@@ -177,6 +180,8 @@ fn constants_and_names_at_the_edges() {
     let of = |label: &str| expected.iter().find(|(found, _)| found == label).map(|(_, line)| line.as_str());
     assert_eq!(of("point of tiny at (1.0, 1.0, 0.0), float"), Some("00000000 00000000 00000000"));
     assert_eq!(of("point of huge at (1.0, 1.0, 0.0), float"), Some("overflow"));
+    let (_, far) = expected.iter().find(|(label, _)| label.starts_with("point of far at (1.2e154")).unwrap();
+    assert_eq!(far, "overflow");
 }
 
 #[test]
@@ -187,7 +192,9 @@ fn members_are_rejected_for_the_same_reasons() {
         Ok(()) => "there is a result",
         Err(ParameterError::NotFinite { .. }) => "a parameter is infinite or NaN",
         Err(ParameterError::Overflow) => "the result is beyond the range of numbers",
-        Err(ParameterError::Pole { .. }) => "the surface has a pole there",
+        Err(ParameterError::Pole { .. }) => {
+            "the weight of the surface vanishes there, or in a family comes too near to zero"
+        }
         Err(ParameterError::Speed) => "the parametric speed of a curve is not positive",
         Err(other) => panic!("C does not know {other:?}"),
     };
@@ -239,7 +246,7 @@ fn members_are_rejected_for_the_same_reasons() {
     let wanted = ["along_cubic", "oriented_translation_family"];
     let wanted = all.filter(|model| wanted.contains(&model.name.as_str()));
     let artifacts: Vec<Artifact> = wanted.map(|model| compile(&model).unwrap()).collect();
-    fs::write(folder.path().join("surfaces.h"), header(&artifacts)).unwrap();
+    fs::write(folder.path().join("surfaces.h"), header(&artifacts).unwrap()).unwrap();
     let text = format!(
         "#include \"surfaces.h\"\n#include <stdio.h>\nint main(void)\n{{\n{calls}    return 0;\n}}\n"
     );
@@ -254,8 +261,11 @@ fn members_are_rejected_for_the_same_reasons() {
 #[test]
 fn options_that_change_results_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("empty.c"), format!("{}\nint main(void) {{ return 0; }}\n", header(&[])))
-        .unwrap();
+    fs::write(
+        folder.path().join("empty.c"),
+        format!("{}\nint main(void) {{ return 0; }}\n", header(&[]).unwrap()),
+    )
+    .unwrap();
     let check = ["-fsyntax-only", "-Wno-unused-function", "empty.c"];
     let Some(plain) = cc(folder.path(), LANGUAGES[0], &check) else { return };
     assert!(plain.status.success(), "{}", String::from_utf8_lossy(&plain.stderr));

@@ -176,7 +176,7 @@ fn the_whole_has_the_bits_of_its_pieces() {
         ],
     };
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("surfaces.h"), header(&artifacts())).unwrap();
+    fs::write(folder.path().join("surfaces.h"), header(&artifacts()).unwrap()).unwrap();
     let (mut text, mut expected) = (beginning(), Expected::new());
     gutter.function(&mut text, &mut expected);
     steps.function(&mut text, &mut expected);

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use hodograph_codegen::compile::compile_all;
 use hodograph_codegen::emit;
 use hodograph_codegen::language::{Diagnostic, Diagnostics, Report};
+use hodograph_codegen::meaning::Model;
 use quote::quote;
 
 use crate::args::{EmitArguments, Target};
@@ -35,7 +36,7 @@ fn source(document: &Document, arguments: &EmitArguments) -> Result<String, Fail
     let mut artifacts = Vec::new();
     let mut diagnostics = Diagnostics::new();
     let models = document.sweeps(arguments.input.sweep.as_deref())?;
-    let shown = models.into_iter().inspect(|model| progress.show(&format!("compiling {}", model.name)));
+    let shown = models.iter().copied().inspect(|model| progress.show(&format!("compiling {}", model.name)));
     for (model, artifact) in compile_all(shown) {
         match artifact {
             Ok(artifact) => artifacts.push(artifact),
@@ -46,7 +47,17 @@ fn source(document: &Document, arguments: &EmitArguments) -> Result<String, Fail
         return Err(Failure::Report(Box::new(Report::new(document.source.clone(), diagnostics))));
     }
     if arguments.target == Target::C {
-        return Ok(emit::header(&artifacts));
+        return emit::header(&artifacts).map_err(|clash| {
+            let help = "rename one of them, or emit each into a header of its own with `--sweep`";
+            let is_second = |model: &&Model| model.name == clash.second || model.item_name() == clash.second;
+            match models.iter().copied().find(is_second) {
+                Some(model) => {
+                    let wrong = Diagnostic::new(model.place, clash.to_string());
+                    Failure::at(&document.source, wrong.help(help))
+                }
+                None => Failure::new(clash.to_string()).help(help),
+            }
+        });
     }
     let text = if arguments.standalone {
         let runtime: Vec<(&str, &str)> =

@@ -21,7 +21,7 @@ mod task;
 
 use proc_macro2::TokenStream;
 
-pub use c::header;
+pub use c::{Clash, header};
 pub use pieces::modules;
 pub use rust::module;
 pub use standalone::standalone;

@@ -27,7 +27,7 @@ pub(super) fn variable(name: &str) -> String {
 }
 
 #[rustfmt::skip]
-const TAKEN: [&str; 124] = [
+const TAKEN: [&str; 126] = [
     // Words of C and C++, and names that compilers define.
     "alignas", "alignof", "and", "and_eq", "asm", "assert", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
     "char8_t", "char16_t", "char32_t", "class", "co_await", "co_return", "co_yield", "compl", "concept", "const", "const_cast",
@@ -41,8 +41,8 @@ const TAKEN: [&str; 124] = [
     // What functions and macros of the standard headers that are used are called.
     "DBL_MAX", "FLT_MAX", "INFINITY", "NAN", "NULL", "fabs", "fabsf", "memcpy", "size_t", "sqrt", "sqrtf",
     // Variables of the generated functions.
-    "control_net", "finite", "hodograph_all_finite", "hodograph_orient", "hodograph_orientf", "hodograph_scale", "hodograph_scalef",
-    "of_u", "of_v", "out", "parameters", "room", "status", "surface", "values",
+    "control_net", "finite", "hodograph_all_finite", "hodograph_orient", "hodograph_orientf", "hodograph_over", "hodograph_overf",
+    "hodograph_scale", "hodograph_scalef", "of_u", "of_v", "out", "parameters", "room", "status", "surface", "values",
 ];
 
 struct Writer<'a> {
@@ -67,7 +67,10 @@ impl Writer<'_> {
             Expression::Sum(operands) => self.sum(operands),
             Expression::Difference(operands) => self.binary(operands, "-", Binding::Sum, Binding::Product),
             Expression::Product(operands) => self.binary(operands, "*", Binding::Product, Binding::Sign),
-            Expression::Quotient(operands) => self.binary(operands, "/", Binding::Product, Binding::Sign),
+            Expression::Quotient(operands) => {
+                let operands = operands.each_ref().map(|operand| self.write(operand).0);
+                (self.call("hodograph_over", &operands), Binding::Atom)
+            }
             Expression::Negative(a) => (format!("-{}", self.within(a, Binding::Atom)), Binding::Sign),
             Expression::Root(a) => (self.call("sqrt", &[self.write(a).0]), Binding::Atom),
             Expression::MultiplyAdd(operands) => {

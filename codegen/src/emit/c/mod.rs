@@ -4,6 +4,7 @@
 //! Its functions have the bits of the plain variant, on machines and with options that compute as IEEE 754 has it: the header
 //! checks what it can of that.
 
+mod clash;
 mod constants;
 mod expression;
 mod family;
@@ -20,6 +21,8 @@ use super::pieces::Whole;
 use super::{Artifact, documentation};
 use crate::bound::Precision;
 use crate::proofs::BOUNDED;
+pub use clash::Clash;
+use clash::Names;
 use template::fill;
 
 /// How C writes a precision.
@@ -60,17 +63,20 @@ impl Type {
 ///
 /// A name that begins with `hodograph`, as those of the header itself do, has `sweep_` in front.
 ///
+/// # Errors
+/// [`Clash`], where two sweeps would define one name.
+///
 /// # Example
 /// ```
 /// use hodograph_codegen::{compile::compile, emit, language::parse_text, meaning::models};
 ///
 /// let text = "sweep saddle { surface R = (u, v, u*v); domain u in 0..1, v in 0..1; }";
 /// let (file, _source) = parse_text("saddle.sweep", text).unwrap();
-/// let header = emit::header(&[compile(&models(&file).0[0]).unwrap()]);
+/// let header = emit::header(&[compile(&models(&file).0[0]).unwrap()]).unwrap();
 /// assert!(header.contains("static inline hodograph_status saddle_point(double u, double v, double out[3])"));
 /// ```
-#[must_use]
-pub fn header(artifacts: &[Artifact]) -> String {
+pub fn header(artifacts: &[Artifact]) -> Result<String, Clash> {
+    let mut names = Names::default();
     let mut text = prologue();
     if artifacts.iter().any(|artifact| !artifact.symbols.is_empty()) {
         text.push_str(include_str!("families.h.in"));
@@ -80,13 +86,17 @@ pub fn header(artifacts: &[Artifact]) -> String {
         text.push_str(include_str!("joints.h.in"));
     }
     for (index, artifact) in artifacts.iter().enumerate() {
+        let start = text.len();
         surface(&mut text, artifact);
+        names.take(&artifact.name, &text[start..])?;
         if let Some(whole) = whole(index) {
+            let (name, start) = (whole.name, text.len());
             pieces::whole(&mut text, whole);
+            names.take(name, &text[start..])?;
         }
     }
     text.push_str("\n#ifdef __cplusplus\n}\n#endif\n");
-    text
+    Ok(text)
 }
 
 /// What every header begins with.
