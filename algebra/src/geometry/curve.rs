@@ -14,7 +14,7 @@ use super::sample::sample_sign;
 use super::vector::Vector;
 use num_traits::Signed;
 
-use crate::{BoxSign, Fraction, Interval, Poly, Rational, Term, Variable, ratio};
+use crate::{BoxSign, Complex, Fraction, Interval, Poly, Rational, Term, Variable, ratio};
 
 /// A rational curve with its derivative properties, where these are rational.
 ///
@@ -51,6 +51,7 @@ pub struct Curve {
     speed_condition: Option<Poly>,
     preimage: Option<[Poly; 2]>,
     quaternion: Option<Quaternion>,
+    rotation: Option<Complex>,
     known_arclength: Option<Fraction>,
     domain: Option<Interval>,
     calculus: Rc<Calculus>,
@@ -78,6 +79,8 @@ pub struct KnownProperties {
     pub preimage: Option<[Poly; 2]>,
     /// The preimage `A` of a spatial PH curve, with `s' = A i A*`.
     pub quaternion: Option<Quaternion>,
+    /// A complex polynomial `W` for which the Euler–Rodrigues frame of `A·W` may be rotation-minimizing; it is checked.
+    pub rotation: Option<Complex>,
 }
 
 impl Curve {
@@ -123,6 +126,7 @@ impl Curve {
             speed_condition,
             preimage: known.preimage,
             quaternion: known.quaternion,
+            rotation: known.rotation,
             known_arclength: known.arclength,
             domain,
             calculus,
@@ -156,6 +160,11 @@ impl Curve {
         self.quaternion.as_ref()
     }
 
+    /// The rotation that the curve was made with, from its Euler–Rodrigues frame to what may be the rotation-minimizing one.
+    pub(crate) fn known_rotation(&self) -> Option<&Complex> {
+        self.rotation.as_ref()
+    }
+
     /// The interval of the parameter, if one is stated.
     #[must_use]
     pub fn domain(&self) -> Option<&Interval> {
@@ -182,6 +191,11 @@ impl Curve {
             quaternion: self.quaternion.as_ref().and_then(|quaternion| {
                 let [w, x, y, z] = quaternion.components().each_ref().map(at);
                 Some(Quaternion::new(w?, x?, y?, z?))
+            }),
+            // What is only a candidate needs no more than real factors.
+            rotation: self.rotation.as_ref().and_then(|rotation| {
+                let (re, im) = (at(&rotation.re.clone().into())?, at(&rotation.im.clone().into())?);
+                Some(Complex::over_common_denominator(&re, &im)).filter(|rotation| !rotation.is_zero())
             }),
         }
     }

@@ -6,7 +6,7 @@ use super::quaternion::Quaternion;
 use super::sample::sample_sign;
 use super::spin::{Rotation, SpinError};
 use super::vector::Vector;
-use crate::{Complex, Fraction, Interval, Poly, Variable};
+use crate::{Complex, Fraction, Interval, Poly, Variable, integer};
 
 /// A right-handed orthonormal frame `(t, f, g)` along a curve, of which the first vector is the unit tangent.
 ///
@@ -36,8 +36,37 @@ impl AdaptedFrame {
     pub fn euler_rodrigues(quaternion: &Quaternion, derivative: &Quaternion) -> Option<AdaptedFrame> {
         let [tangent, f, g] = quaternion.rotation()?.map(|column| column.map(Fraction::reduced));
         let inverse = quaternion.norm2().reduced().reciprocal(&[])?;
-        let spin = (&twist(quaternion, derivative).scale(&crate::integer(2)) * &inverse).reduced();
+        let spin = (&twist(quaternion, derivative).scale(&integer(2)) * &inverse).reduced();
         Some(AdaptedFrame { tangent, f, g, spin, quaternion: Some(quaternion.clone()), rotation: None })
+    }
+
+    /// This Euler–Rodrigues frame, of `A`, turned in the normal plane by the angle `2·arg W`: that of `A·W`, with `f` turned
+    /// into `((p² − q²)·f + 2pq·g)/|W|²` for `W = p + I·q`. Its spin is larger by `2·Im(conj(W)·W')/|W|²`; `None` unless it is zero.
+    fn unspun_by(&self, rotation: &Rotation, variable: &Variable) -> Option<AdaptedFrame> {
+        // Nothing but this identity says that the frame is rotation-minimizing.
+        let turning = rotation.spin(variable).scale(&integer(2));
+        if !(&self.spin + &turning).is_zero() {
+            return None;
+        }
+        let w = &rotation.polynomial;
+        let square = w * w;
+        let factors: Vec<Poly> =
+            self.tangent.components().iter().flat_map(|part| part.factors().iter().map(|(f, _)| f.clone())).collect();
+        let inverse = Fraction::from(w.norm2()).reciprocal(&factors)?;
+        let (cosine, sine) = (&inverse * &Fraction::from(square.re), &inverse * &Fraction::from(square.im));
+        let turned = |a: &Fraction, b: &Fraction| (&self.f.scale(a) + &self.g.scale(b)).map(Fraction::reduced);
+        let quaternion = self.quaternion.as_ref().map(|quaternion| {
+            let turned = quaternion * &quaternion_of(&w.re, &w.im);
+            primitive(&turned).unwrap_or(turned)
+        });
+        Some(AdaptedFrame {
+            tangent: self.tangent.clone(),
+            f: turned(&cosine, &sine),
+            g: turned(&-&sine, &cosine),
+            spin: Fraction::zero(),
+            quaternion,
+            rotation: Some(w.clone()),
+        })
     }
 }
 
@@ -132,23 +161,19 @@ impl Curve {
 
     fn unspun(&self) -> Result<AdaptedFrame, CurveError> {
         let frame = self.euler_rodrigues_frame()?;
-        let Some(quaternion) = frame.quaternion else { return Err(CurveError::Point) };
         let spin = frame.spin.scale(&crate::ratio(-1, 2));
         if spin.occurring_variables().iter().any(|variable| self.calculus().is_function(variable)) {
             return Err(CurveError::UnknownFrame);
         }
         let start = self.domain().map_or_else(Poly::zero, |domain| domain.lower().clone());
+        let known = self.known_rotation().map(|known| Rotation::begun(known, self.parameter(), &start));
+        if let Some(minimizing) = known.and_then(|known| frame.unspun_by(&known, self.parameter())) {
+            return Ok(minimizing);
+        }
         let none =
             |error| CurveError::NoRationalFrame { spin: Box::new(spin.clone()), error: Box::new(error) };
         let rotation = Rotation::with_spin(&spin, self.parameter(), &start).map_err(none)?;
-        let Complex { re, im } = rotation.polynomial.clone();
-        let turned = &quaternion * &quaternion_of(&re, &im);
-        let turned = primitive(&turned).unwrap_or(turned);
-        let derivative = self.turning(&turned);
-        // Nothing but this identity says that the frame is rotation-minimizing.
-        let minimizing = AdaptedFrame::euler_rodrigues(&turned, &derivative).filter(|f| f.spin.is_zero());
-        let frame = minimizing.ok_or_else(|| none(SpinError::Undecided))?;
-        Ok(AdaptedFrame { rotation: Some(rotation.polynomial), ..frame })
+        frame.unspun_by(&rotation, self.parameter()).ok_or_else(|| none(SpinError::Undecided))
     }
 
     /// The Frenet frame `(t, n, b)`, if it is rational: `b = s' × s''/|s' × s''|` and `n = b × t`.

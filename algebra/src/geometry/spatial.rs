@@ -3,7 +3,7 @@
 use super::preimage::{MAX_PH_DEGREE, PreimageError};
 use super::quaternion::Quaternion;
 use super::vector::Vector;
-use crate::{Fraction, Int, Poly, Rational, Variable, budget, integer};
+use crate::{Complex, Fraction, Int, Poly, Rational, Variable, budget, integer};
 
 /// The preimage of a spatial Pythagorean-hodograph (PH) curve: a quaternion polynomial
 /// `A(t) = Σ A_j · C(k, j)·tʲ·(1 − t)ᵏ⁻ʲ` with `s'(t) = A(t) i A*(t)`.
@@ -41,6 +41,8 @@ pub struct SpatialPhCurve {
     pub speed: Fraction,
     /// The curve `s` itself.
     pub position: Vector,
+    /// What turns its Euler–Rodrigues frame into a rotation-minimizing one, where [`SpatialPreimage::quintic_rotation`] says it.
+    pub rotation: Option<Complex>,
 }
 
 impl SpatialPreimage {
@@ -113,7 +115,8 @@ impl SpatialPreimage {
         let [a, b] = [start.components(), integral.components()];
         let position = Vector::new(&a[0] + &b[0], &a[1] + &b[1], &a[2] + &b[2]);
         let speed = quaternion.norm2().reduced();
-        SpatialPhCurve { quaternion, hodograph, speed, position }
+        let rotation = self.quintic_rotation(variable);
+        SpatialPhCurve { quaternion, hodograph, speed, position, rotation }
     }
 
     /// `A₀ i A₂* + A₂ i A₀* − 2 A₁ i A₁*` of a quadratic preimage, a vector: where it is zero the quintic has a rational
@@ -126,6 +129,44 @@ impl SpatialPreimage {
         let mixed = &(&(a0 * &i) * &a2.conj()) + &(&(a2 * &i) * &a0.conj());
         let square = (&(a1 * &i) * &a1.conj()).scale_by(&integer(2));
         Some((&mixed - &square).vector().reduced())
+    }
+
+    /// The complex polynomial `W` of a quadratic preimage with the [quintic constraint](SpatialPreimage::quintic_constraint): the
+    /// Euler–Rodrigues frame of `A·W` is rotation-minimizing. `None` for other preimages.
+    ///
+    /// With the scalar `c = A₂ i A₀* − A₁ i A₁*` it is, up to real factors, `W = |A₀|²(1 − t)² + 2(A₀* A₁)~(1 − t)t + (|A₁|² +
+    /// c i)t²`, where `~` is the conjugate of the part in 1 and **i**; and `|W|² = |A₀|²|A|²`.
+    ///
+    /// # Example
+    /// ```
+    /// use hodograph_algebra::{Fraction, Quaternion, SpatialPreimage, Variable, integer};
+    /// let n = |n| Fraction::from(integer(n));
+    /// let a1 = Quaternion::new(n(2), n(1), n(1), n(0));
+    /// let preimage = SpatialPreimage::constrained_quintic(&Quaternion::one(), &a1, &n(-3)).unwrap();
+    /// let t = Variable::new(1, "t");
+    /// assert_eq!(preimage.quintic_rotation(&t).unwrap().to_string(), "3*t^2 + 2*t + 1 + I*(-t^2 - 2*t)");
+    /// ```
+    #[must_use]
+    pub fn quintic_rotation(&self, variable: &Variable) -> Option<Complex> {
+        let [a0, a1, a2] = self.coefficients.as_slice() else { return None };
+        let i = Quaternion::from(Vector::unit(0));
+        let left = &(&(a2 * &i) * &a0.conj()) - &(&(a1 * &i) * &a1.conj());
+        if !left.vector().reduced().is_zero() {
+            return None;
+        }
+        let mixed = &a0.conj() * a1;
+        let [w, x, ..] = mixed.components();
+        let parts = [[a0.norm2(), w.clone(), a1.norm2()], [Fraction::zero(), -x, left.scalar().clone()]];
+        let parts = parts.map(|part| part.map(|value| value.reduced()));
+        let common = Fraction::common_denominator(parts.iter().flatten());
+        let t = Poly::variable(variable);
+        let other = Poly::one() - &t;
+        let powers = [other.pow(2), (&t * other).scale(&integer(2)), t.pow(2)];
+        let sum = |part: &[Fraction; 3]| -> Poly {
+            part.iter().zip(&powers).map(|(value, power)| value.numerator_over(&common) * power).sum()
+        };
+        let [re, im] = parts.each_ref().map(sum);
+        Some(Complex::new(re, im)).filter(|rotation| !rotation.is_zero())
     }
 
     /// The quadratic preimage with these first coefficients that satisfies the [quintic constraint]: `A₂ = −(c + A₁ i A₁*) A₀

@@ -116,8 +116,13 @@ impl Rotation {
         let spin = Spin { derivative: denominator.derivative(variable), numerator, denominator };
         let parts = budget::doing("the residues of a spin", || spin.parts(variable))?;
         let polynomial = parts.iter().fold(Complex::one(), |product, (m, zeros)| product * zeros.pow(*m));
-        let rotation = Rotation { polynomial: begun(&polynomial, variable, start) };
+        let rotation = Rotation::begun(&polynomial, variable, start);
         if rotation.spin(variable) == h { Ok(rotation) } else { Err(SpinError::Undecided) }
+    }
+
+    /// The rotation with this polynomial up to constant and real factors, with `W > 0` at `start`.
+    pub(crate) fn begun(polynomial: &Complex, variable: &Variable, start: &Poly) -> Rotation {
+        Rotation { polynomial: begun(polynomial, variable, start) }
     }
 
     /// Half the rate at which it turns: `Im(conj(W)·W')/|W|²`.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Neg;
 
 use crate::operators::binary_operator;
-use crate::{Poly, Rational, minimize_field, ratio};
+use crate::{Fraction, Poly, Rational, minimize_field, ratio};
 
 /// A complex number `re + I·im`, or a polynomial with such coefficients: both parts are [`Poly`]s.
 ///
@@ -32,6 +32,13 @@ impl Complex {
     #[must_use]
     pub fn new(re: Poly, im: Poly) -> Complex {
         Complex { re, im }
+    }
+
+    /// `re + I·im`, times the least common multiple of the known denominators of both.
+    #[must_use]
+    pub(crate) fn over_common_denominator(re: &Fraction, im: &Fraction) -> Complex {
+        let common = Fraction::common_denominator([re, im]);
+        Complex::new(re.numerator_over(&common), im.numerator_over(&common))
     }
 
     /// Zero.

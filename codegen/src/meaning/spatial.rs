@@ -248,6 +248,7 @@ fn curve(
     let known = KnownProperties {
         speed: Some(parts.speed),
         quaternion: Some(parts.quaternion),
+        rotation: parts.rotation,
         ..KnownProperties::default()
     };
     Ok(Value::Curve(curves::curve(scope, &context.parameter, parts.position, known)))
