@@ -68,6 +68,7 @@ pub use geometry::hermite::{Hermite, HermiteDatum, HermiteError, HermiteSolution
 pub use geometry::preimage::{MAX_PH_DEGREE, PhCurve, Preimage, PreimageError};
 pub use geometry::quaternion::Quaternion;
 pub use geometry::spatial::{SpatialPhCurve, SpatialPreimage};
+pub use geometry::spatial_hermite::{SpatialHermite, SpatialHermiteError};
 pub use geometry::spin::{Rotation, SpinError};
 pub use geometry::vector::Vector;
 pub use integral::Integral;

@@ -12,5 +12,6 @@ pub(crate) mod quaternion;
 pub(crate) mod rotation;
 pub(crate) mod sample;
 pub(crate) mod spatial;
+pub(crate) mod spatial_hermite;
 pub(crate) mod spin;
 pub(crate) mod vector;

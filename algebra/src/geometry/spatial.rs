@@ -54,7 +54,12 @@ impl SpatialPreimage {
         if coefficients.iter().all(Quaternion::is_zero) {
             return Err(PreimageError::Zero);
         }
-        Ok(SpatialPreimage { coefficients })
+        Ok(SpatialPreimage::nonzero(coefficients))
+    }
+
+    /// The preimage with coefficients of which one is known not to be zero.
+    pub(crate) fn nonzero(coefficients: Vec<Quaternion>) -> SpatialPreimage {
+        SpatialPreimage { coefficients }
     }
 
     /// The preimage of a curve of degree `2k + 1` with symbols for coefficients, `A_j = a_j + b_j i + c_j j + d_j k`; the
@@ -194,49 +199,4 @@ impl SpatialPreimage {
         let a2 = (&(&sum * a0) * &i).scale(&-&inverse).reduced();
         Some(SpatialPreimage { coefficients: vec![a0.clone(), a1.clone(), a2] })
     }
-
-    /// The quadratic preimage of a quintic that satisfies the [quintic constraint](SpatialPreimage::quintic_constraint), with
-    /// the derivatives `start` and `end` at 0 and 1, vectors of numbers.
-    ///
-    /// Each vector `d` has a circle of roots `A i A* = d`, a multiple of `|d| i + d` times `e^{iφ}`. The one for `start` may be
-    /// chosen freely, since a factor `e^{iφ}` of all coefficients changes no curve; `turn` is `tan(φ/2)` for that of `end`, and
-    /// `twist` that for `A₁`, a root of the vector part of `A₂ i A₀*`. Only square roots are adjoined. `None` if a derivative is zero, or
-    /// symbols occur.
-    #[must_use]
-    pub fn quintic_between(
-        start: &Vector,
-        end: &Vector,
-        turn: &Fraction,
-        twist: &Fraction,
-    ) -> Option<SpatialPreimage> {
-        let i = Quaternion::from(Vector::unit(0));
-        let a0 = root(start).filter(|root| !root.is_zero())?;
-        let a2 = &root(end).filter(|root| !root.is_zero())? * &phase(turn)?;
-        let middle = (&(&a2 * &i) * &a0.conj()).vector().reduced();
-        let a1 = &root(&middle)? * &phase(twist)?;
-        Some(SpatialPreimage { coefficients: vec![a0, a1, a2] })
-    }
-}
-
-/// A quaternion `A` with `A i A* = d`: `(|d| i + d)/√(2(|d| + d_x))`, or `√|d| j` where that is not defined. `None` for a
-/// vector with symbols.
-fn root(d: &Vector) -> Option<Quaternion> {
-    let length = d.norm2().to_number()?.sqrt()?;
-    let x = d.components()[0].to_number()?;
-    let sum = (&length + &x).scale(&integer(2));
-    if sum.is_zero() {
-        let scale = length.sqrt()?;
-        return Some(Quaternion::from(Vector::unit(1)).scale(&scale.into()));
-    }
-    let bisector = &Quaternion::from(Vector::unit(0)).scale(&length.into()) + &Quaternion::from(d.clone());
-    Some(bisector.scale(&sum.sqrt()?.inverse().into()))
-}
-
-/// `e^{iφ}` for `tan(φ/2)`.
-fn phase(tangent: &Fraction) -> Option<Quaternion> {
-    let square = tangent * tangent;
-    let inverse = (&Fraction::one() + &square).reciprocal(&[])?;
-    let (cosine, sine) = (&Fraction::one() - &square, tangent.scale(&integer(2)));
-    let zero = Fraction::zero;
-    Some(Quaternion::new(&cosine * &inverse, &sine * &inverse, zero(), zero()))
 }

@@ -389,7 +389,7 @@ pub(super) fn element(list: &Expr, index: usize) -> Option<Span> {
     list.children().nth(index).map(Expr::span)
 }
 
-fn complex_number(value: &Value) -> Option<Complex> {
+pub(super) fn complex_number(value: &Value) -> Option<Complex> {
     let ComplexFraction { re, im } = value.complex()?;
     let (re, im) = (re.to_poly()?, im.to_poly()?);
     Some(Complex::new(re, im))

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    AdaptedFrame, CanalError, Curve, CurveError, Fraction, KnownProperties, Poly, PreimageError, Quaternion,
-    Rational, SpatialPreimage, Variable, Vector,
+    AdaptedFrame, CanalError, Complex, Curve, CurveError, Fraction, KnownProperties, Poly, PreimageError, Quaternion,
+    Rational, SpatialHermite, SpatialHermiteError, SpatialPreimage, Variable, Vector, integer,
 };
 
 use super::calls::Call;
@@ -197,31 +197,43 @@ fn constrained(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result
 
 /// `rrmf_hermite(from, tangent, tangent)`.
 fn between(scope: &Scope, context: &CurveContext, call: &Call<'_>) -> Result<Value, Fault> {
-    let (positional, [turn, twist]) = call.with_names(["turn", "twist"])?;
+    let (positional, [middle, solution]) = call.with_names(["middle", "solution"])?;
     let [start, first, last] = positional.as_slice() else {
         let message = format!("`rrmf_hermite` takes 3 arguments, not {}", positional.len());
         return Err(Fault::new(call.span, message)
             .help("write `rrmf_hermite(from, tangent, tangent)`, the tangents those at both ends"));
     };
-    let tangent = |expr: &Expr| {
-        let vector = call.vector(expr)?;
-        if vector.components().iter().any(|part| part.to_number().is_none()) {
-            return Err(Fault::new(expr.span(), "a tangent must consist of numbers"));
-        }
-        if vector.is_zero() {
-            return Err(Fault::new(expr.span(), "this tangent is zero"));
-        }
-        Ok(vector)
+    let data = SpatialHermite::new(&call.vector(first)?, &call.vector(last)?);
+    let data = data.map_err(|error| {
+        let at_end = matches!(
+            error,
+            SpatialHermiteError::Zero { end: true } | SpatialHermiteError::Symbolic { end: true }
+        );
+        Fault::new(if at_end { last.span() } else { first.span() }, error.to_string())
+    })?;
+    let mirrored = match solution {
+        None => false,
+        Some(selector) => match scope.rational(selector, "the number of a solution")? {
+            index if index == integer(0) => false,
+            index if index == integer(1) => true,
+            _ => return Err(Fault::new(selector.span(), "the solutions are numbered 0 and 1")),
+        },
     };
-    let angle = |expr: Option<&Expr>| -> Result<Fraction, Fault> {
-        match expr {
-            Some(expr) => Ok(scope.number(expr, "the tangent of half an angle")?.into()),
-            None => Ok(Fraction::zero()),
+    let alpha = match middle {
+        None => None,
+        Some(expr) => {
+            let number = curves::complex_number(&scope.evaluate(expr)?).filter(Complex::is_constant);
+            let wrong = || {
+                Fault::new(expr.span(), "the middle coefficient is a number, real or complex")
+                    .help("write `middle = 1 + I/2`, or leave it out")
+            };
+            Some(number.ok_or_else(wrong)?)
         }
     };
-    let preimage =
-        SpatialPreimage::quintic_between(&tangent(first)?, &tangent(last)?, &angle(turn)?, &angle(twist)?);
-    let preimage = preimage.ok_or_else(|| Fault::new(call.span, "there is no such quintic"))?;
+    let preimage = data.preimage(alpha.as_ref(), mirrored).map_err(|error| {
+        let fault = Fault::new(middle.map_or(call.span, Expr::span), error.to_string());
+        fault.help("leave `middle` out, and it is chosen")
+    })?;
     curve(scope, context, &preimage, Some(*start))
 }
 
