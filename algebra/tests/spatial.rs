@@ -1,8 +1,8 @@
 //! Spatial PH curves and their frames, against the definitions.
 
 use hodograph_algebra::{
-    AdaptedFrame, CanalError, Curve, CurveError, Fraction, Interval, KnownProperties, Poly, Quaternion,
-    SpatialPreimage, Variable, Vector, integer,
+    AdaptedFrame, CanalError, Complex, Curve, CurveError, Fraction, Interval, KnownProperties, Poly,
+    Quaternion, SpatialHermite, SpatialHermiteError, SpatialPreimage, Variable, Vector, integer,
 };
 use proptest::prelude::*;
 
@@ -27,6 +27,7 @@ fn curve_of(preimage: &SpatialPreimage) -> Curve {
     let known = KnownProperties {
         speed: Some(parts.speed),
         quaternion: Some(parts.quaternion),
+        rotation: parts.rotation,
         ..KnownProperties::default()
     };
     Curve::new(&v(), parts.position, Some(Interval::unit()), known, Default::default())
@@ -54,6 +55,13 @@ fn check(curve: &Curve, frame: &AdaptedFrame) {
 
 fn small() -> impl Strategy<Value = [i64; 4]> {
     [-3..4_i64, -3..4_i64, -3..4_i64, -3..4_i64]
+}
+
+fn vector() -> impl Strategy<Value = Vector> {
+    [-3..4_i64, -3..4_i64, -3..4_i64].prop_map(|part| {
+        let [x, y, z] = part.map(number);
+        Vector::new(x, y, z)
+    })
 }
 
 proptest! {
@@ -95,22 +103,103 @@ proptest! {
     }
 
     #[test]
-    fn quintics_between_derivatives(
-        start in [-3..4_i64, -3..4_i64, -3..4_i64],
-        end in [-3..4_i64, -3..4_i64, -3..4_i64],
-        turn in -2..3_i64,
-        twist in -2..3_i64,
-    ) {
-        prop_assume!(start != [0; 3] && end != [0; 3]);
-        let [start, end] = [start, end].map(|[x, y, z]| Vector::new(number(x), number(y), number(z)));
-        let preimage = SpatialPreimage::quintic_between(&start, &end, &number(turn), &number(twist)).unwrap();
+    fn quintics_between_derivatives(start in vector(), end in vector(), mirrored in any::<bool>()) {
+        prop_assume!(!start.is_zero() && !end.is_zero());
+        let data = SpatialHermite::new(&start, &end).unwrap();
+        let preimage = data.preimage(None, mirrored).unwrap();
         prop_assert!(preimage.quintic_constraint().unwrap().is_zero());
-        let hodograph = preimage.curve(&v(), &Vector::zero()).hodograph;
+        let parts = preimage.curve(&v(), &Vector::zero());
         for (value, derivative) in [(0, &start), (1, &end)] {
             let at = [(v(), number(value))].into();
-            prop_assert_eq!(&hodograph.map(|part| part.substitute(&at).unwrap()), derivative);
+            prop_assert_eq!(&parts.hodograph.map(|part| part.substitute(&at).unwrap()), derivative);
         }
+        // Three square roots at most, and that of the real factor of the preimage.
+        prop_assert!(parts.quaternion.components().iter().all(|part| part.numerator().ring().field().degree() <= 16));
+        let frame = curve_of(&preimage).rotation_minimizing_frame().unwrap();
+        prop_assert!(frame.spin.is_zero());
     }
+
+    #[test]
+    fn every_constrained_quintic_is_one_between_its_derivatives(a0 in small(), a1 in small(), c in -3..4_i64) {
+        let [a0, a1] = [a0, a1].map(quaternion);
+        prop_assume!(!a0.is_zero());
+        let given = SpatialPreimage::constrained_quintic(&a0, &a1, &number(c)).unwrap();
+        let hodograph = given.curve(&v(), &Vector::zero()).hodograph;
+        let [start, end] =
+            [0, 1].map(|value| hodograph.map(|part| part.substitute(&[(v(), number(value))].into()).unwrap()));
+        prop_assume!(!start.cross(&end).is_zero());
+        let relative = (&a0.conj() * &a1).scale(&a0.norm2().reciprocal(&[]).unwrap());
+        let [re, im] = [0, 1].map(|index: usize| relative.components()[index].to_number().unwrap());
+        let data = SpatialHermite::new(&start, &end).unwrap();
+        let found = data.preimage(Some(&Complex::new(re, im)), c < 0).unwrap();
+        prop_assert_eq!(found.curve(&v(), &Vector::zero()).hodograph, hodograph);
+    }
+}
+
+#[test]
+fn middle_coefficients_have_bounds() {
+    let data = |end: [i64; 3]| {
+        let [x, y, z] = end.map(number);
+        SpatialHermite::new(&Vector::unit(0), &Vector::new(x, y, z)).unwrap()
+    };
+    let one = Complex::from(Poly::one());
+    assert_eq!(
+        data([0, 1, 0]).preimage(Some(&one), false).unwrap_err().to_string(),
+        "no such quintic has this middle coefficient: |middle|^2 lies between 0.146447 and 0.853553"
+    );
+    assert!(data([-2, 0, 0]).preimage(Some(&one), false).unwrap_err().to_string().contains("opposite"));
+    assert!(data([0, 1, 0]).preimage(Some(&Complex::zero()), false).is_err());
+    assert_eq!(
+        SpatialHermite::new(&Vector::unit(0), &Vector::zero()).unwrap_err(),
+        SpatialHermiteError::Zero { end: true }
+    );
+}
+
+/// With symbols for everything: the frame of every constrained quintic is found, and checked.
+#[test]
+fn symbolic_quintics_have_rational_frames() {
+    let symbol = |name: &str| Fraction::from(Poly::variable(&Variable::new(Variable::SYMBOL, name)));
+    let [a0, a1] = ["0", "1"].map(|index| {
+        let [w, x, y, z] = ["a", "b", "c", "d"].map(|letter| symbol(&format!("{letter}{index}")));
+        Quaternion::new(w, x, y, z)
+    });
+    let preimage = SpatialPreimage::constrained_quintic(&a0, &a1, &symbol("e")).unwrap();
+    let frame = curve_of(&preimage).rotation_minimizing_frame().unwrap();
+    assert!(frame.spin.is_zero());
+    let rotation = frame.rotation.unwrap();
+    let speed = curve_of(&preimage).speed().unwrap();
+    assert!(Fraction::from(rotation.norm2()) == &a0.norm2() * &speed);
+}
+
+/// A rotation that is stated but wrong counts for nothing.
+#[test]
+fn known_rotations_are_checked() {
+    let preimage = SpatialPreimage::constrained_quintic(
+        &quaternion([2, 0, 0, 0]),
+        &quaternion([1, 2, 1, 0]),
+        &number(2),
+    );
+    let preimage = preimage.unwrap();
+    let parts = preimage.curve(&v(), &Vector::zero());
+    let with = |rotation: Complex| {
+        let known = KnownProperties {
+            quaternion: Some(parts.quaternion.clone()),
+            rotation: Some(rotation),
+            ..KnownProperties::default()
+        };
+        let curve =
+            Curve::new(&v(), parts.position.clone(), Some(Interval::unit()), known, Default::default());
+        curve.rotation_minimizing_frame().unwrap().rotation
+    };
+    let wrong = Complex::new(Poly::variable(&v()), Poly::one());
+    assert_eq!(with(wrong), with(parts.rotation.clone().unwrap()));
+    assert_eq!(with(Complex::zero()), with(parts.rotation.clone().unwrap()));
+    let general = SpatialPreimage::new(vec![
+        quaternion([1, 0, 0, 0]),
+        quaternion([1, 1, 0, 2]),
+        quaternion([0, 1, 2, -1]),
+    ]);
+    assert_eq!(general.unwrap().quintic_rotation(&v()), None);
 }
 
 #[test]

@@ -110,6 +110,37 @@ fn frames_are_decided() {
     assert_eq!(refuted[3].condition.as_deref(), Some("general values of the symbols"));
 }
 
+/// What was known of a curve when it was made is known of its frame, also where symbols or many roots occur.
+#[test]
+fn quintics_with_rational_frames_are_decided_for_all_data() {
+    verdicts(
+        "symbol a0, b0, c0, d0, a1, b1, c1, d1, c;
+        path s(v) = rrmf(quat(a0, b0, c0, d0), quat(a1, b1, c1, d1), c);",
+        Verdict::Proved,
+        &["is_rational(s.rmf)", "s.rmf.spin == 0"],
+    );
+    for data in [
+        "(1, 1, 0), (1, 0, 2)",
+        "(3, 2, 1), (0, 1, 1)",
+        "(3/2, 1/4, 0), (1/2, 1, 3/4)",
+        "(1, 2, 0), (0, 1, 1), middle = 1/3 + I/2, solution = 1",
+        "(3, -1, 2), (2, 5, -1)",
+        "(-1, 0, 0), (0, 3, 1)",
+        "(1, 2, 3), (-2, -4, -6)",
+    ] {
+        verdicts(
+            &format!("path s(v) = rrmf_hermite((0, 0, 0), {data}); domain v in 0..1;"),
+            Verdict::Proved,
+            &[
+                "is_rational(s.rmf)",
+                "s.rmf.spin == 0",
+                "parallel(s.hodograph(1), s.tangent(1))",
+                "is_rational(s + u*s.rmf.f)",
+            ],
+        );
+    }
+}
+
 #[test]
 fn pipes_and_canal_surfaces() {
     let judgements = judge(
@@ -144,6 +175,19 @@ fn mistakes_have_their_places() {
         ("path s(v) = rrmf(1, 1);", 13, "`rrmf` takes 3 arguments, not 2"),
         ("path s(v) = rrmf_hermite(0*i, 0*i, j);", 31, "this tangent is zero"),
         ("path s(v) = rrmf_hermite(0*i, v*i, j);", 31, "a tangent must consist of numbers"),
+        (
+            "path s(v) = rrmf_hermite(0*i, i, j, middle = 1);",
+            46,
+            "no such quintic has this middle coefficient: |middle|^2 lies between 0.146447 and 0.853553",
+        ),
+        (
+            "path s(v) = rrmf_hermite(0*i, i, -i, middle = 1);",
+            47,
+            "tangents of opposite directions leave no choice",
+        ),
+        ("path s(v) = rrmf_hermite(0*i, i, j, middle = i);", 46, "the middle coefficient is a number"),
+        ("path s(v) = rrmf_hermite(0*i, i, j, solution = 2);", 48, "the solutions are numbered 0 and 1"),
+        ("path s(v) = rrmf_hermite(0*i, i, j, turn = 2);", 37, "`rrmf_hermite` has no argument `turn`"),
         ("let a = quat(1, 2, 3);", 9, "`quat` takes 4 arguments, not 3"),
         ("let a = quat(1, 2, 3, i);", 23, "a component of a quaternion must be a scalar"),
         ("let a = 1/quat(1, 2, 3, 4);", 11, "a number cannot be divided by a quaternion"),

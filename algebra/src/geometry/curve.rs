@@ -126,7 +126,7 @@ impl Curve {
             speed_condition,
             preimage: known.preimage,
             quaternion: known.quaternion,
-            rotation: known.rotation,
+            rotation: known.rotation.filter(|rotation| !rotation.is_zero()),
             known_arclength: known.arclength,
             domain,
             calculus,
@@ -195,7 +195,7 @@ impl Curve {
             // What is only a candidate needs no more than real factors.
             rotation: self.rotation.as_ref().and_then(|rotation| {
                 let (re, im) = (at(&rotation.re.clone().into())?, at(&rotation.im.clone().into())?);
-                Some(Complex::over_common_denominator(&re, &im)).filter(|rotation| !rotation.is_zero())
+                Some(Complex::over_common_denominator(&re, &im))
             }),
         }
     }

@@ -50,11 +50,16 @@ impl AdaptedFrame {
         }
         let w = &rotation.polynomial;
         let square = w * w;
-        let factors: Vec<Poly> =
-            self.tangent.components().iter().flat_map(|part| part.factors().iter().map(|(f, _)| f.clone())).collect();
+        let factors: Vec<Poly> = self
+            .tangent
+            .components()
+            .iter()
+            .flat_map(|part| part.factors().iter().map(|(f, _)| f.clone()))
+            .collect();
         let inverse = Fraction::from(w.norm2()).reciprocal(&factors)?;
         let (cosine, sine) = (&inverse * &Fraction::from(square.re), &inverse * &Fraction::from(square.im));
-        let turned = |a: &Fraction, b: &Fraction| (&self.f.scale(a) + &self.g.scale(b)).map(Fraction::reduced);
+        let turned =
+            |a: &Fraction, b: &Fraction| (&self.f.scale(a) + &self.g.scale(b)).map(Fraction::reduced);
         let quaternion = self.quaternion.as_ref().map(|quaternion| {
             let turned = quaternion * &quaternion_of(&w.re, &w.im);
             primitive(&turned).unwrap_or(turned)

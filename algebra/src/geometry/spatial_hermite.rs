@@ -39,7 +39,10 @@ impl fmt::Display for SpatialHermiteError {
             SpatialHermiteError::Zero { .. } => f.write_str("this tangent is zero"),
             SpatialHermiteError::Symbolic { .. } => f.write_str("a tangent must consist of numbers"),
             SpatialHermiteError::Middle { least, most } => {
-                write!(f, "no such quintic has this middle coefficient: |middle|^2 lies between {least} and {most}")
+                write!(
+                    f,
+                    "no such quintic has this middle coefficient: |middle|^2 lies between {least} and {most}"
+                )
             }
             SpatialHermiteError::Opposite => {
                 f.write_str("tangents of opposite directions leave no choice of the middle coefficient")
@@ -135,7 +138,11 @@ impl SpatialHermite {
     ///
     /// # Errors
     /// [`SpatialHermiteError::Middle`] and [`SpatialHermiteError::Opposite`], only with an α.
-    pub fn preimage(&self, middle: Option<&Complex>, mirrored: bool) -> Result<SpatialPreimage, SpatialHermiteError> {
+    pub fn preimage(
+        &self,
+        middle: Option<&Complex>,
+        mirrored: bool,
+    ) -> Result<SpatialPreimage, SpatialHermiteError> {
         if self.along.is_zero() {
             return if middle.is_some() { Err(SpatialHermiteError::Opposite) } else { Ok(self.opposite()) };
         }
@@ -166,7 +173,8 @@ impl SpatialHermite {
     fn with(&self, alpha: &Complex, cross: &Complex, a: &Poly) -> SpatialPreimage {
         let half = Complex::i().scale(&ratio(1, 2));
         let beta = &(cross * &half) * &alpha.inverse();
-        let [w, x, y, z] = [&alpha.re, &alpha.im, &beta.re, &beta.im].map(|part| Fraction::from(part.clone()));
+        let [w, x, y, z] =
+            [&alpha.re, &alpha.im, &beta.re, &beta.im].map(|part| Fraction::from(part.clone()));
         let second = Quaternion::new(w, x, y, z);
         let i = Quaternion::from(Vector::unit(0));
         let rotation = &Quaternion::from(Fraction::from(a.clone())) + &(&(&second * &i) * &second.conj());

@@ -354,9 +354,12 @@
 //! - `rrmf(A0, A1, c)`: the quintic `ph_spatial([A0, A1, A2])` with `A2 = -(c + A1*i*conj(A1))*A0*i/norm2(A0)`. For quaternions `A0 != 0` and
 //!   `A1` and scalars `c` these are all quintics, but for those that begin with a cusp, for which `A0 i A2* + A2 i A0* = 2 A1 i A1*`
 //!   (Farouki 2010): they have rational rotation-minimizing frames.
-//! - `rrmf_hermite(a, da, db)`: such a quintic with `s(0) = a`, `s'(0) = da`, `s'(1) = db`, numbers each. It is found by square roots. With
-//!   `turn = p`, `twist = q` for numbers p, q, the tangents of half the angles by which `A2` and `A1` are turned on their circles, these
-//!   are all.
+//! - `rrmf_hermite(a, da, db)`: such a quintic with `s(0) = a`, `s'(0) = da`, `s'(1) = db`, numbers each. It has three independent square
+//!   roots at most: the lengths of the tangents, and one more. With `middle = z` for a real or complex number z it is that with `A1 =
+//!   A0*(z + y*j)` for a complex y; `|z|^2` lies between bounds, which are stated if it does not. With `solution = 1` it is the other one of the
+//!   two for a middle, with `A2*i*conj(A0)` of a scalar part that is not positive. For tangents that are not parallel these are all, each one for
+//!   one middle and solution; tangents of the same direction are joined by a straight line (see
+//!   [`SpatialHermite`](hodograph_algebra::SpatialHermite)).
 //! - `ph_spatial(…, start = (x, y, z))`, `rrmf(…, start = (x, y, z))`: with that `s(0)`.
 //!
 //! The coefficients of `ph(n)`, `ph_spatial(n)`, `polynomial_curve` and `rational_curve` are symbols of the item. If it has several such
@@ -535,7 +538,7 @@
 //!     let A1 = quat(1, 2, 1, 0);
 //!     path s(v) = rrmf(2, A1, 2);
 //!     curve c(v) = ph_spatial([1, A1]);
-//!     curve h(v) = rrmf_hermite((1, 0, 0), 4*i, 4*j, turn = 1/2);
+//!     curve h(v) = rrmf_hermite((1, 0, 0), 4*i, 4*j, middle = (2 + I)/3);
 //!     let A(v) = s.preimage;
 //!     claim "product": A1*i*conj(A1) == (4, 4, -2);
 //!     claim "hodograph": s.hodograph == A*i*conj(A);

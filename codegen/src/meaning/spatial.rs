@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    AdaptedFrame, CanalError, Complex, Curve, CurveError, Fraction, KnownProperties, Poly, PreimageError, Quaternion,
-    Rational, SpatialHermite, SpatialHermiteError, SpatialPreimage, Variable, Vector, integer,
+    AdaptedFrame, CanalError, Complex, Curve, CurveError, Fraction, KnownProperties, Poly, PreimageError,
+    Quaternion, Rational, SpatialHermite, SpatialHermiteError, SpatialPreimage, Variable, Vector, integer,
 };
 
 use super::calls::Call;
