@@ -218,8 +218,11 @@ impl Curve {
         !poly.occurring_variables().iter().any(moves)
     }
 
-    /// `s' × s''`, not zero.
-    fn osculating_direction(&self) -> Result<Vector, CurveError> {
+    /// `s' × s''`, which is not zero: the direction of the binormal.
+    ///
+    /// # Errors
+    /// [`CurveError::Straight`].
+    pub fn osculating_direction(&self) -> Result<Vector, CurveError> {
         let second = self.calculus().vector_derivative(self.hodograph(), self.parameter());
         let cross = self.hodograph().cross(&second).reduced();
         if cross.is_zero() { Err(CurveError::Straight) } else { Ok(cross) }

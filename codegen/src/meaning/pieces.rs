@@ -153,55 +153,82 @@ pub(super) fn continuity(scope: &Scope, call: &Call<'_>) -> Result<Value, Fault>
     if let Some(order) = found {
         return Ok(Value::Scalar(hodograph_algebra::integer(order).into()));
     }
-    let mut pieces = Vec::new();
-    for piece in scope.pieces() {
-        let value = piece.rational_value(expr)?;
-        let parts = match value.bare() {
-            Value::Quaternion(quaternion) => Some(quaternion.components().to_vec()),
-            _ => value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components()),
-        };
-        pieces.push(parts.ok_or_else(|| {
-            Fault::new(expr.span(), format!("a function is expected here, but this is {}", value.kind()))
-        })?);
-    }
     let mut order = MOST_DERIVATIVES;
+    let pieces = values(scope, expr)?;
     for (pair, knot) in pieces.windows(2).zip(&joints.knots[1..]) {
-        let [left, right] = pair else { continue };
-        for (left, right) in left.iter().zip(right) {
-            order = order.min(agreement(scope, expr.span(), &joints.parameter, knot, left, right, order)?);
-        }
+        order = order.min(agreement(scope, expr.span(), &joints.parameter, knot, pair, order)?.order);
     }
     scope.continuities.borrow_mut().push((expr.span(), order));
     Ok(Value::Scalar(hodograph_algebra::integer(order).into()))
 }
 
-/// The largest order up to `most` to which two functions agree at a knot.
+/// The components of an expression on each piece.
+fn values(scope: &Scope, expr: &Expr) -> Result<Vec<Vec<Fraction>>, Fault> {
+    let components = |piece: Scope| {
+        let value = piece.rational_value(expr)?;
+        let parts = match value.bare() {
+            Value::Quaternion(quaternion) => Some(quaternion.components().to_vec()),
+            _ => value.complex().map(|z| vec![z.re, z.im]).or_else(|| value.components()),
+        };
+        parts.ok_or_else(|| {
+            Fault::new(expr.span(), format!("a function is expected here, but this is {}", value.kind()))
+        })
+    };
+    scope.pieces().into_iter().map(components).collect()
+}
+
+/// How two pieces of a function meet.
+pub(super) struct Joint {
+    /// The value of the parameter.
+    pub(super) knot: Poly,
+    /// Up to which order the derivatives agree; −1 if the values do not.
+    pub(super) order: i64,
+    /// The first derivatives that do not agree, those from the right without those from the left; nothing if none were found.
+    pub(super) difference: Option<Vec<Fraction>>,
+}
+
+/// How an expression that `continuity` takes meets at each joint, with the parameter of the frames.
+pub(super) fn joints(scope: &Scope, expr: &Expr) -> Result<Option<(Variable, Vec<Joint>)>, Fault> {
+    let Some(joints) = scope.joints.clone() else { return Ok(None) };
+    let pieces = values(scope, expr)?;
+    let meeting = pieces
+        .windows(2)
+        .zip(&joints.knots[1..])
+        .map(|(pair, knot)| agreement(scope, expr.span(), &joints.parameter, knot, pair, MOST_DERIVATIVES));
+    Ok(Some((joints.parameter.clone(), meeting.collect::<Result<_, Fault>>()?)))
+}
+
+/// The largest order up to `most` to which the components of two neighbouring pieces agree at a knot.
 fn agreement(
     scope: &Scope,
     span: Span,
     parameter: &Variable,
     knot: &Poly,
-    left: &Fraction,
-    right: &Fraction,
+    pair: &[Vec<Fraction>],
     most: i64,
-) -> Result<i64, Fault> {
+) -> Result<Joint, Fault> {
     let at = BTreeMap::from([(parameter.clone(), Fraction::from(knot.clone()))]);
     let value = |f: &Fraction| {
         f.substitute(&at)
             .or_else(|| f.lowest_terms().substitute(&at))
             .ok_or_else(|| Fault::new(span, format!("this has a pole at the joint {parameter} = {knot}")))
     };
+    let joint = |order, difference| Joint { knot: knot.clone(), order, difference };
+    let [left, right] = pair else { return Ok(joint(most, None)) };
     let (mut left, mut right) = (left.clone(), right.clone());
     for order in 0..=most {
-        if value(&left)? != value(&right)? {
-            return Ok(order - 1);
+        let differences = left.iter().zip(&right).map(|(left, right)| Ok(&value(right)? - &value(left)?));
+        let differences = differences.collect::<Result<Vec<Fraction>, Fault>>()?;
+        if !differences.iter().all(Fraction::is_zero) {
+            return Ok(joint(order - 1, Some(differences)));
         }
         if order < most {
-            left = scope.calculus.derivative(&left, parameter);
-            right = scope.calculus.derivative(&right, parameter);
+            for part in left.iter_mut().chain(&mut right) {
+                *part = scope.calculus.derivative(part, parameter);
+            }
         }
     }
-    Ok(most)
+    Ok(joint(most, None))
 }
 
 /// The finding on all pieces from those on each: a relation holds if it holds on all of them, a negated one if it holds on any.

@@ -1,6 +1,6 @@
 //! Whether a value is a rational function.
 
-use hodograph_algebra::OffsetError;
+use hodograph_algebra::{CurveError, OffsetError, Poly};
 
 use super::assumptions::Assumptions;
 use super::expression::shortened;
@@ -10,7 +10,7 @@ use super::relation::{cut, print};
 use super::scope::Scope;
 use super::value::Value;
 use super::{functions, generic, roots, surfaces};
-use crate::language::ast::Expr;
+use crate::language::ast::{Expr, ExprKind};
 
 /// Whether the value of an expression exists as a rational function of the given parameters, over the real numbers.
 pub(super) fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Finding, Fault> {
@@ -45,7 +45,10 @@ pub(super) fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Find
                 }
                 Ok(finding)
             }
-            None => Err(fault),
+            None => match symbolic_frame(scope, expr) {
+                Some(radicand) => Ok(over_symbols(&radicand).about_variables(unknowns())),
+                None => Err(fault),
+            },
         },
         Ok(value) => match value.bare() {
             Value::AdaptedFrame(frame) => {
@@ -64,7 +67,10 @@ pub(super) fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Find
                     Err(fault) if fault.irrational => {
                         Ok(Finding::new(false, fault.diagnostic.message).about_variables(unknowns()))
                     }
-                    Err(fault) => Err(fault),
+                    Err(fault) => match symbolic_frame(scope, expr) {
+                        Some(radicand) => Ok(over_symbols(&radicand).about_variables(unknowns())),
+                        None => Err(fault),
+                    },
                 }
             }
             Value::Offset(offset) => match offset.as_ref() {
@@ -89,6 +95,31 @@ pub(super) fn is_rational(assumptions: &Assumptions, expr: &Expr) -> Result<Find
             }
         },
     }
+}
+
+/// The polynomial in symbols alone under the root in a Frenet frame, for an expression that is such a frame, or a member of one.
+fn symbolic_frame(scope: &Scope, expr: &Expr) -> Option<Poly> {
+    let radicand = |expr: &Expr| match scope.evaluate(expr).ok()?.bare() {
+        Value::AdaptedFrame(frame) => match frame.rational() {
+            Err(CurveError::SymbolicFrenet { radicand }) => Some(*radicand),
+            _ => None,
+        },
+        _ => None,
+    };
+    let expr = generic::resolved(scope, expr);
+    match expr.kind() {
+        ExprKind::Member { object, .. } => radicand(expr).or_else(|| radicand(object)),
+        _ => None,
+    }
+}
+
+/// A squared length is nowhere negative, and where it vanishes for all values of the parameter the curve is a straight line.
+fn over_symbols(radicand: &Poly) -> Finding {
+    let text = format!(
+        "|s' x s''|^2 is a square times {}, which depends on the symbols alone",
+        cut(radicand.to_string())
+    );
+    Finding::new(true, text).in_general(true)
 }
 
 /// Whether a surface is a Pythagorean-normal surface in its parameters.

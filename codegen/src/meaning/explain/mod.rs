@@ -1,6 +1,7 @@
 //! Derivations: how the verdict on a claim comes about, step by step.
 
 mod definitions;
+mod frames;
 mod reasons;
 mod show;
 mod signs;
@@ -51,6 +52,8 @@ pub struct Explanation {
     /// | `function`, `factor`, `root`, `certificate`, `sign` | of an inequality: what is to be positive, and why it is or is not |
     /// | `at a point` | the sides of an inequality at a point at which it fails |
     /// | `square` | `|N|²` or a radicand as a square times a squarefree rest |
+    /// | `preimage`, `spin`, `rotation`, `residues` | of a rotation-minimizing frame: how the Euler–Rodrigues frame turns, and what turns it back, or why nothing does |
+    /// | `joint` | how the pieces of a function meet |
     /// | `polynomial`, `common factor`, `certificate` | of a claim of coprimality |
     /// | `number`, `decimal` | a number with an enclosure, and the decimal that it is compared with |
     /// | `negation` | what `not` makes of it |

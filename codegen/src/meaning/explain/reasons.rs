@@ -9,15 +9,15 @@ use hodograph_algebra::{
 
 use super::definitions::TOO_LONG;
 use super::show::{Show, component_name};
-use super::{Steps, signs};
+use super::{Steps, frames, signs};
 use crate::formula;
 use crate::language::ast::{Claim, Expr, ExprKind, Verdict};
 use crate::meaning::finding::{Evidence, Finding};
 use crate::meaning::generic::{called, resolved};
 use crate::meaning::judgement::Judged;
-use crate::meaning::surfaces;
 use crate::meaning::value::{DegreeValue, Value};
 use crate::meaning::witness;
+use crate::meaning::{functions, pieces, surfaces};
 
 /// How many points are tried for a certificate of coprimality.
 const MOST_POINTS: i64 = 40;
@@ -76,6 +76,11 @@ impl Reasons<'_, '_> {
             ExprKind::Call { arguments, .. } => arguments.iter().map(|argument| &argument.value).collect(),
             _ => Vec::new(),
         };
+        for side in &sides {
+            if let Some(("continuity", [argument])) = called(side) {
+                self.joints(&argument.value);
+            }
+        }
         match (evidence, sides.as_slice()) {
             (Evidence::Sides { left, right }, [a, b]) => self.difference([a, b], left, right),
             (Evidence::RootedSides { left, right }, [a, b]) => self.rooted([a, b], left, right),
@@ -318,11 +323,16 @@ impl Reasons<'_, '_> {
             }
             _ => {}
         }
-        if let ExprKind::Member { object, .. } = resolved(scope, expr).kind()
+        let frames = frames::occurring(scope, expr);
+        if frames.is_empty()
+            && let ExprKind::Member { object, .. } = resolved(scope, expr).kind()
             && let Ok(value) = scope.evaluate(object)
             && let Value::Curve(curve) = value.bare()
         {
             self.speed(object, curve);
+        }
+        for (name, frame) in &frames {
+            self.frame(name, frame);
         }
         match scope.evaluate(expr) {
             Ok(value) => {
@@ -330,6 +340,8 @@ impl Reasons<'_, '_> {
                     self.push("value", format!("{expr} = {text}"), "a rational function");
                 }
             }
+            // Why frames are not rational has been said.
+            Err(_) if !frames.is_empty() => {}
             Err(fault) => self.push("value", format!("{expr} = none"), fault.diagnostic.message),
         }
     }
@@ -350,11 +362,37 @@ impl Reasons<'_, '_> {
     }
 
     /// The squared parametric speed of a curve as a square times a rest.
-    fn speed(&mut self, expr: &Expr, curve: &Curve) {
+    pub(super) fn speed(&mut self, expr: &Expr, curve: &Curve) {
         self.radicand(&format!("norm2({expr}.hodograph)"), &curve.hodograph().norm2());
     }
 
-    fn radicand(&mut self, name: &str, value: &Fraction) {
+    /// How the pieces of a function meet, joint by joint.
+    fn joints(&mut self, expr: &Expr) {
+        let Ok(Some((parameter, joints))) = pieces::joints(self.show.scope(), expr) else { return };
+        let derivative = |order: i64| match order {
+            0 => expr.to_string(),
+            1 => format!("diff({expr}, {parameter})"),
+            order => format!("diff({expr}, {parameter}, {order})"),
+        };
+        for joint in joints {
+            let at = format!("{parameter} = {}", joint.knot);
+            let agreeing = match joint.order {
+                -1 => "the values from both sides differ".to_owned(),
+                0 => "the values from both sides are equal, the first derivatives are not".to_owned(),
+                order => format!("the derivatives from both sides are equal up to order {order}"),
+            };
+            let formula = match &joint.difference {
+                Some(parts) => {
+                    let jump = self.show.components(parts);
+                    format!("{} jumps by {jump} at {at}", derivative(joint.order + 1))
+                }
+                None => format!("{} does not jump at {at}", derivative(joint.order)),
+            };
+            self.push("joint", formula, agreeing);
+        }
+    }
+
+    pub(super) fn radicand(&mut self, name: &str, value: &Fraction) {
         let value = value.lowest_terms();
         let odd = value.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
         let numerator = odd.fold(value.numerator().clone(), |product, (factor, _)| product * factor);
@@ -383,6 +421,8 @@ impl Reasons<'_, '_> {
         };
         let because = if split.is_square() && radicand.is_one() {
             "a number times a square, so the root is a rational function over the real numbers"
+        } else if !split.is_square() && !functions::is_varying(self.show.scope(), &split.odd) {
+            "the last factor depends on the symbols alone: for all their values it is a number, so the root is a rational function"
         } else if split.is_square() {
             "a constant times a square, so the root is a rational function where that constant is not negative"
         } else {
