@@ -311,6 +311,14 @@ fn canal_surfaces() {
     }
     let fast = spine.canal(&frame, &t.scale(&integer(100)), &u).unwrap_err();
     assert!(matches!(fast, CanalError::Imaginary { .. }), "{fast}");
+    let line = Vector::new(Fraction::zero(), Fraction::zero(), Poly::variable(&v()).into());
+    let line = Curve::new(&v(), line, None, KnownProperties::default(), Default::default());
+    let frame_of_line = line.euler_rodrigues_frame().unwrap();
+    let refused = |radius: Poly| line.canal(&frame_of_line, &radius.into(), &u).unwrap_err().to_string();
+    let changing = refused(Poly::variable(&v()).pow(2));
+    assert!(changing.contains("it changes its sign with its factor 2*v - 1;"), "{changing}");
+    let nowhere = refused(Poly::variable(&v()).scale(&integer(2)));
+    assert!(nowhere.contains("it is -3, which is nowhere positive"), "{nowhere}");
     let high = spine.canal(&frame, &t.pow(4), &u).unwrap_err();
     assert!(matches!(high, CanalError::Unsplit { .. } | CanalError::Imaginary { .. }), "{high}");
 }

@@ -14,11 +14,16 @@ use crate::{Complex, Fraction, Poly, Variable, integer};
 pub enum CanalError {
     /// What the spine lacks.
     Spine(CurveError),
-    /// `σ² − r'²` is negative somewhere, so that it is no sum of two squares: the radius grows faster than the spine is long, and the
-    /// spheres have no envelope there.
+    /// `σ² − r'²` changes its sign, so that it is no sum of two squares: where it is negative, the radius grows faster than the
+    /// spine is long, and the spheres have no envelope.
     Imaginary {
-        /// The factor of odd multiplicity that changes its sign, or `σ² − r'²` itself where it is nowhere positive.
+        /// The factor of odd multiplicity that changes its sign.
         factor: Box<Poly>,
+    },
+    /// `σ² − r'²` is nowhere positive: the spheres have no envelope at all.
+    Negative {
+        /// `σ² − r'²`.
+        value: Box<Fraction>,
     },
     /// `σ² − r'²` is a sum of two squares over the real numbers if it is nowhere negative, but finding them takes more than
     /// square roots, or symbols decide.
@@ -34,8 +39,13 @@ impl fmt::Display for CanalError {
             CanalError::Spine(error) => error.fmt(f),
             CanalError::Imaginary { factor } => write!(
                 f,
-                "this canal surface is not rational: σ^2 - r'^2 must be a sum p^2 + q^2 of two squares, but it is \
-                 negative where {factor} is; there the radius changes faster than the spine moves"
+                "this canal surface is not rational: σ^2 - r'^2 must be a sum p^2 + q^2 of two squares, but it changes its \
+                 sign with its factor {factor}; where it is negative, the radius changes faster than the spine moves"
+            ),
+            CanalError::Negative { value } => write!(
+                f,
+                "this canal surface is not rational: σ^2 - r'^2 must be a sum p^2 + q^2 of two squares, but it is {value}, \
+                 which is nowhere positive: the radius changes faster than the spine moves"
             ),
             CanalError::Unsplit { factor } => write!(
                 f,
@@ -132,8 +142,8 @@ impl Curve {
             }
         }
         let scale = unit.sqrt().filter(|_| unit.is_constant());
-        let whole = || CanalError::Imaginary {
-            factor: Box::new((&(speed * speed) - &(growth * growth)).numerator().clone()),
+        let whole = || CanalError::Negative {
+            value: Box::new((&(speed * speed) - &(growth * growth)).lowest_terms()),
         };
         let scale = scale.ok_or_else(whole)?;
         let part = |part: Poly| &Fraction::from(part * &scale) * &denominator;

@@ -341,10 +341,12 @@ fn canal_fault(span: Span, error: &CanalError) -> Fault {
         return Fault::curve(span, error);
     }
     let mut fault = Fault::new(span, error.to_string());
-    fault.irrational = matches!(error, CanalError::Imaginary { .. });
+    fault.irrational = matches!(error, CanalError::Imaginary { .. } | CanalError::Negative { .. });
     fault.undecidable = !fault.irrational;
     match error {
-        CanalError::Imaginary { .. } => fault.help("choose a radius that changes less fast"),
+        CanalError::Imaginary { .. } | CanalError::Negative { .. } => {
+            fault.help("choose a radius that changes less fast")
+        }
         _ => fault.help("choose a constant radius, or a spine of lower degree"),
     }
 }

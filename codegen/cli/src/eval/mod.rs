@@ -5,7 +5,7 @@ mod quantity;
 
 use std::process::ExitCode;
 
-use hodograph_algebra::{Poly, SweptSurface, Variable, budget};
+use hodograph_algebra::{Poly, Variable, budget};
 use hodograph_codegen::language::{Diagnostic, closest};
 use hodograph_codegen::meaning::{Model, number};
 use serde::Serialize;
@@ -53,7 +53,7 @@ pub(crate) fn run(arguments: &EvalArguments) -> Result<ExitCode, Failure> {
     let values =
         symbols.into_iter().filter_map(|symbol| Some((symbol.clone(), find(&settings, &symbol)?.clone())));
     let values = values.collect();
-    note_outside(surface, &parameters);
+    note_outside(&pieces, &parameters);
 
     let computed = budget::with_budget(limit, || {
         // The formula is evaluated anew: a parametric speed |s'|, for one, depends on the values.
@@ -148,11 +148,14 @@ fn find<'a>(settings: &'a [(String, Poly)], symbol: &Variable) -> Option<&'a Pol
     settings.iter().find(|(name, _)| name == symbol.name()).map(|(_, value)| value)
 }
 
-/// Says so if a parameter lies outside of the domain.
-fn note_outside(surface: &SweptSurface, values: &[Poly; 2]) {
-    for ((parameter, interval), value) in surface.parameters().iter().zip(surface.domain()).zip(values) {
-        if !interval.contains(value) {
-            let [value, lower, upper] = [value, interval.lower(), interval.upper()].map(radical::written_one);
+/// Says so if a parameter lies outside of the domain, that of all pieces together.
+fn note_outside(pieces: &[&Model], values: &[Poly; 2]) {
+    let surfaces = || pieces.iter().filter_map(|piece| piece.surface.as_deref());
+    let (Some(first), Some(last)) = (surfaces().next(), surfaces().last()) else { return };
+    for (index, (parameter, value)) in first.parameters().iter().zip(values).enumerate() {
+        let ends = [first.domain()[index].lower(), last.domain()[index].upper()];
+        if value.compare(ends[0]).is_lt() || value.compare(ends[1]).is_gt() {
+            let [value, lower, upper] = [value, ends[0], ends[1]].map(radical::written_one);
             console::note(&format!("{parameter} = {value} lies outside of the domain {lower}..{upper}"));
         }
     }
