@@ -4,30 +4,38 @@ use std::collections::BTreeSet;
 
 use hodograph_algebra::Variable;
 
-use super::finding::Finding;
+use super::finding::{Evidence, Finding};
 use super::generic;
 use super::group::{CoefficientGroup, CoefficientKind};
 use super::item::Model;
 use super::scope::Scope;
-use crate::language::ast::{Expr, ItemKind};
+use crate::language::ast::{ClauseKind, Expr, ExprKind, ItemKind};
 
 /// For what a finding on a relation holds: the unknowns in the sides and in all names of the relation, also those that cancel.
 pub(super) fn of(model: &Model, scope: &Scope, relation: &Expr, finding: &Finding) -> String {
     let mut unknowns: BTreeSet<Variable> = generic::unknowns(scope, relation);
     let is_unknown = |variable: &&Variable| !scope.parameters.contains(variable);
     unknowns.extend(finding.variables.iter().filter(is_unknown).cloned());
+    unknowns.extend(unbound(scope, relation, finding));
+    for name in unknowns.iter().filter_map(|variable| curve_of(scope, variable)).collect::<BTreeSet<_>>() {
+        unknowns.extend(given(scope, name));
+    }
     let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
     let mut families: Vec<&CoefficientGroup> = Vec::new();
     for variable in &unknowns {
         let is_coefficient =
             |group: &&CoefficientGroup| group.rows.iter().flatten().any(|own| own == variable);
         match (scope.owner(variable), scope.groups.iter().find(is_coefficient)) {
+            // The coordinates of a curve that is given are not unknown, whatever its symbols are.
+            (Some((name, true)), _) if is_given(scope, name) => {}
             (Some((name, true)), _) => curves.push(name),
             (Some((name, false)), _) => functions.push(name),
             (None, Some(group)) if !families.contains(&group) => families.push(group),
             (None, Some(_)) => {}
             // Radicals of numbers and of symbols are no unknowns of their own.
-            (None, None) if scope.symbols.contains(variable) => symbols.push(variable.name()),
+            (None, None) if scope.symbols.contains(variable) || scope.parameters.contains(variable) => {
+                symbols.push(variable.name());
+            }
             (None, None) => {}
         }
     }
@@ -49,6 +57,58 @@ pub(super) fn of(model: &Model, scope: &Scope, relation: &Expr, finding: &Findin
         (true, ItemKind::Sweep) => format!("the sweep {}", model.item_name()),
         (true, ItemKind::Lemma) => format!("the example of the lemma {}", model.name),
     }
+}
+
+/// The parameters of an identity that stand for any numbers: those of `let` alone, which belong to no curve, unknown function or
+/// surface, and have no domain.
+fn unbound(scope: &Scope, relation: &Expr, finding: &Finding) -> Vec<Variable> {
+    let identity = matches!(
+        finding.evidence,
+        Evidence::Sides { .. } | Evidence::RootedSides { .. } | Evidence::Directions { .. }
+    );
+    let Some(item) = scope.item.as_ref().filter(|item| identity && item.kind == ItemKind::Lemma) else {
+        return Vec::new();
+    };
+    let binds = |name: &str| {
+        item.clauses.iter().any(|clause| match &clause.kind {
+            ClauseKind::Function(functions) => functions.iter().any(|own| own.parameter.value == name),
+            ClauseKind::Curve(curve) => curve.parameter.value == name,
+            ClauseKind::Surface(surface) => surface.parameter_names().contains(&name),
+            ClauseKind::Domain(intervals) => intervals.iter().any(|own| own.parameter.value == name),
+            _ => false,
+        })
+    };
+    let named = |parameter: &&Variable| {
+        finding.variables.contains(parameter) || is_written(relation, parameter.name())
+    };
+    scope.parameters.iter().filter(|parameter| !binds(parameter.name())).filter(named).cloned().collect()
+}
+
+/// Whether a name stands in an expression, named arguments aside.
+fn is_written(expr: &Expr, name: &str) -> bool {
+    match expr.kind() {
+        ExprKind::Ident(own) => own == name,
+        ExprKind::Call { arguments, .. } => {
+            let positional = arguments.iter().filter(|argument| argument.name.is_none());
+            positional.into_iter().any(|argument| is_written(&argument.value, name))
+        }
+        _ => expr.children().any(|child| is_written(child, name)),
+    }
+}
+
+/// The curve whose coordinates or arc length a symbol stands for.
+fn curve_of<'a>(scope: &'a Scope, variable: &Variable) -> Option<&'a str> {
+    scope.owner(variable).filter(|(_, is_curve)| *is_curve).map(|(name, _)| name)
+}
+
+/// The unknowns in what a curve is made from.
+fn given(scope: &Scope, curve: &str) -> BTreeSet<Variable> {
+    generic::definition(scope, curve).map(|value| generic::unknowns(scope, value)).unwrap_or_default()
+}
+
+/// Whether a curve with symbols for coordinates is made from a hodograph without unknown functions.
+fn is_given(scope: &Scope, curve: &str) -> bool {
+    !given(scope, curve).iter().any(|variable| scope.calculus.is_function(variable))
 }
 
 /// The curves that a group of coefficients stands for, with the name of the one that has them.

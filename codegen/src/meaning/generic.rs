@@ -168,7 +168,7 @@ pub(super) fn unknowns(scope: &Scope, expr: &Expr) -> BTreeSet<Variable> {
 }
 
 /// The expression that defines a name.
-fn definition<'a>(scope: &'a Scope, name: &str) -> Option<&'a Expr> {
+pub(super) fn definition<'a>(scope: &'a Scope, name: &str) -> Option<&'a Expr> {
     let clauses = scope.item.as_ref()?.clauses.iter();
     clauses.into_iter().find_map(|clause| match &clause.kind {
         ClauseKind::Let(definition) if definition.name.value == name => Some(&definition.value),
