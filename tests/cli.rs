@@ -392,6 +392,17 @@ fn eval_is_exact() {
     assert!(root.err.contains("v = ") && root.err.contains("outside of the domain 0..2"), "{}", root.err);
 }
 
+/// The domain of a surface in several pieces is that of all of them.
+#[test]
+fn eval_knows_the_whole_domain() {
+    for (v, noted) in [("4", true), ("-1", true), ("0", false), ("3/2", false), ("3", false)] {
+        let run = run(&["eval", "frames_gutter", "--u", "1/2", &format!("--v={v}")]);
+        let note = format!("v = {v} lies outside of the domain 0..3");
+        assert_eq!(run.err.contains(&note), noted, "{}", run.err);
+        assert_eq!(run.err.contains("outside"), noted, "{}", run.err);
+    }
+}
+
 #[test]
 fn eval_needs_every_symbol() {
     let eval = |arguments: &[&str]| {

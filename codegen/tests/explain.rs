@@ -214,3 +214,71 @@ fn the_verdict_is_that_of_a_check_and_budgets_hold() {
         assert_eq!(explanation.steps.last().map(|step| step.what), Some("verdict"), "{limit}");
     }
 }
+
+/// Rotation-minimizing frames: what the Euler-Rodrigues frame turns, and what turns it back, or why nothing does.
+#[test]
+fn frames_are_explained_by_their_rotation() {
+    let found = steps(
+        "lemma l {
+            path s(v) = ph_spatial([quat(-2, 0, 0, 1), quat(-2, 1/2, -3/2, 1), quat(-1, 1, -3, 1)]);
+            claim \"1\": is_rational(s.rmf);
+        }",
+    );
+    assert_eq!(of(&found, "preimage"), ["s.frame.preimage = A = (v^2 - 2, v, -3*v, 1)"]);
+    assert_eq!(
+        of(&found, "spin"),
+        ["h = -s.frame.spin/2 = 1/(v^2 + 1)", "dot(diff(s.rmf.f, v), s.rmf.g) = 0"]
+    );
+    assert_eq!(of(&found, "rotation"), ["W = 1 + v*I"]);
+    assert_eq!(
+        reasons(&found, "rotation"),
+        ["Im(conj(W)*W')/|W|^2 - h = 0, identically: |W|^2 is the denominator of h"]
+    );
+    let none = steps(
+        "lemma l {
+            path s(v) = ph_spatial([1, quat(1, 2, 1, 0)]);
+            claim \"1\": is_rational(s.rmf.g), expect refuted;
+        }",
+    );
+    assert_eq!(of(&none, "residues"), ["residue^2 = r with 5*r - 4 = 0, at the zeros of 5*v^2 + 1"]);
+    let general = steps("lemma l { path s(v) = ph_spatial(5); claim \"1\": not is_rational(s.rmf); }");
+    assert!(reasons(&general, "residues")[0].contains("there is no W (for a0 = "));
+}
+
+#[test]
+fn frenet_frames_are_explained_without_the_speed() {
+    let refuted = steps(
+        "lemma l { path s(v) = rrmf(2, quat(1, 2, 1, 0), 2); claim \"1\": not is_rational(s.frenet); }",
+    );
+    assert_eq!(
+        of(&refuted, "square"),
+        [
+            "norm2(cross(s.hodograph, diff(s.hodograph, v)))/s.speed^2 = 32*(17*v^4 - 26*v^3 + 16*v^2 - 4*v + 2)"
+        ]
+    );
+    let symbolic = steps("lemma l { path s(v) = ph_spatial(3); claim \"1\": is_rational(s.frenet.normal); }");
+    assert!(reasons(&symbolic, "square")[0].starts_with("the last factor depends on the symbols alone"));
+    let without =
+        steps("lemma l { path s(v) = (v, v^2, v^3); claim \"1\": is_rational(s.rmf), expect refuted; }");
+    assert_eq!(of(&without, "square"), ["norm2(s.hodograph) = 9*v^4 + 4*v^2 + 1"]);
+}
+
+#[test]
+fn joints_have_their_orders_and_jumps() {
+    let joints = |relation: &str| {
+        steps(&format!(
+            "sweep t {{
+                profile c(u) = (u, 0, 0);
+                frames F(v) = frames([frame((0, 0, 0), (1, 0, 0, 0)), frame((0, 0, 1), (1, 0, 0, 0)), frame((0, 1, 2), (1, 0, 0, 0))]);
+                surface R = F.sweep(c);
+                domain u in 0..1;
+                claim \"1\": {relation};
+            }}"
+        ))
+    };
+    let spline = joints("continuity(R) == 2");
+    assert_eq!(of(&spline, "joint"), ["diff(R, v, 3) jumps by (0, -3, 0) at v = 1"]);
+    assert_eq!(reasons(&spline, "joint"), ["the derivatives from both sides are equal up to order 2"]);
+    let smooth = joints("continuity(R.z) == 9");
+    assert_eq!(of(&smooth, "joint"), ["diff(R.z, v, 9) does not jump at v = 1"]);
+}

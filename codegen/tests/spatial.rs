@@ -129,7 +129,7 @@ fn quintics_with_rational_frames_are_decided_for_all_data() {
         "(1, 2, 3), (-2, -4, -6)",
     ] {
         verdicts(
-            &format!("path s(v) = rrmf_hermite((0, 0, 0), {data}); domain v in 0..1;"),
+            &format!("path s(v) = rrmf_hermite((0, 0, 0), {data}); domain u in 0..1, v in 0..1;"),
             Verdict::Proved,
             &[
                 "is_rational(s.rmf)",
@@ -210,4 +210,77 @@ fn mistakes_have_their_places() {
     for (text, column, expected) in table {
         mistake(&format!("lemma t {{ domain v in 0..1;\n{text} }}"), &format!("t:2:{column}: {expected}"));
     }
+}
+
+/// The squared length of `s' x s''` is a square but for a factor of symbols, so that the frame is rational in v.
+#[test]
+fn frenet_frames_over_symbols_are_rational() {
+    let judgements = verdicts(
+        "symbol c; curve s(v) = ph_spatial(3); curve t(v) = ph_spatial([1, quat(c, 1, 2, 3)]);",
+        Verdict::Proved,
+        &[
+            "is_rational(s.frenet)",
+            "is_rational(s.frenet.normal)",
+            "is_rational(t.frenet)",
+            "not is_rational(s.rmf)",
+        ],
+    );
+    assert_eq!(judgements[0].scope, "a general spatial PH cubic s");
+    assert_eq!(judgements[0].condition.as_deref(), Some("general values of the symbols"));
+    verdicts(
+        "path s(v) = rrmf(1, quat(1, 2, 1, 0), 1); symbol c; curve t(v) = ph_spatial([1, quat(c, 1, 2, 3)]);",
+        Verdict::Refuted,
+        &["is_rational(s.frenet)", "is_rational(s.frenet.f)", "is_rational(sqrt(1 + c^2*v^2)*t.frenet.f)"],
+    );
+}
+
+/// Identities of maps are about all numbers; curves with a given hodograph are no unknown ones.
+#[test]
+fn verdicts_say_for_what_they_hold() {
+    let scopes = |definitions: &str, claims: &[&str]| -> Vec<String> {
+        let judgements = verdicts(definitions, Verdict::Proved, claims);
+        judgements.into_iter().map(|judgement| judgement.scope).collect()
+    };
+    assert_eq!(
+        scopes(
+            "symbol a; let M(p, q, r, w) = (p + w, q, r); let n(p, q) = p^2 + q^2;",
+            &[
+                "parallel(M(p, q, r, 0), (p, q, r))",
+                "n == p^2 + q^2",
+                "(n - q^2) - p^2 == 0",
+                "a*n == a*p^2 + a*q^2",
+                "M(1, 2, 3, 4) == (5, 2, 3)",
+                "degree(n, parameter = p) == 2",
+            ],
+        ),
+        [
+            "all p, q, r",
+            "all p, q",
+            "all p, q",
+            "all a, p, q",
+            "the example of the lemma t",
+            "the example of the lemma t",
+        ],
+    );
+    assert_eq!(
+        scopes(
+            "symbol a; function x(v), sigma(v), kappa(v);
+            curve s(v) = curve_from_hodograph((1, v, v^2));
+            curve t(v) = curve_from_hodograph((1, a*v, v^2));
+            curve f(v) = curve_from_hodograph((1, x, v^2));
+            curve r(v) = regular_curve(sigma, kappa);",
+            &[
+                "diff(s, v) == (1, v, v^2)",
+                "dot(diff(t, v), k) == v^2",
+                "diff(f, v) == f.hodograph",
+                "norm2(r.tangent) == 1"
+            ],
+        ),
+        [
+            "the example of the lemma t",
+            "all a",
+            "all functions x and every curve f",
+            "all functions sigma and every curve r"
+        ],
+    );
 }

@@ -17,7 +17,8 @@ pub(super) fn of(model: &Model, scope: &Scope, relation: &Expr, finding: &Findin
     let is_unknown = |variable: &&Variable| !scope.parameters.contains(variable);
     unknowns.extend(finding.variables.iter().filter(is_unknown).cloned());
     unknowns.extend(unbound(scope, relation, finding));
-    for name in unknowns.iter().filter_map(|variable| curve_of(scope, variable)).collect::<BTreeSet<_>>() {
+    let curves: BTreeSet<&str> = unknowns.iter().filter_map(|variable| curve_of(scope, variable)).collect();
+    for name in curves.into_iter().filter(|name| is_given(scope, name)) {
         unknowns.extend(given(scope, name));
     }
     let (mut functions, mut curves, mut symbols) = (Vec::new(), Vec::new(), Vec::new());
