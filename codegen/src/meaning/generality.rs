@@ -9,7 +9,7 @@ use super::generic;
 use super::group::{CoefficientGroup, CoefficientKind};
 use super::item::Model;
 use super::scope::Scope;
-use crate::language::ast::{ClauseKind, Expr, ExprKind, ItemKind};
+use crate::language::ast::{ClauseKind, Expr, ExprKind, Item, ItemKind};
 
 /// For what a finding on a relation holds: the unknowns in the sides and in all names of the relation, also those that cancel.
 pub(super) fn of(model: &Model, scope: &Scope, relation: &Expr, finding: &Finding) -> String {
@@ -60,29 +60,26 @@ pub(super) fn of(model: &Model, scope: &Scope, relation: &Expr, finding: &Findin
     }
 }
 
-/// The parameters of an identity that stand for any numbers: those of `let` alone, which belong to no curve, unknown function or
-/// surface, and have no domain.
+/// The parameters of an identity that stand for any numbers: those of `let` without a domain, in lemmas without curves, unknown
+/// functions and surfaces, to which they would belong.
 fn unbound(scope: &Scope, relation: &Expr, finding: &Finding) -> Vec<Variable> {
     let identity = matches!(
         finding.evidence,
         Evidence::Sides { .. } | Evidence::RootedSides { .. } | Evidence::Directions { .. }
     );
-    let Some(item) = scope.item.as_ref().filter(|item| identity && item.kind == ItemKind::Lemma) else {
+    let varies = |kind: &ClauseKind| {
+        matches!(kind, ClauseKind::Curve(_) | ClauseKind::Function(_) | ClauseKind::Surface(_))
+    };
+    let is_map =
+        |item: &Item| item.kind == ItemKind::Lemma && !item.clauses.iter().any(|clause| varies(&clause.kind));
+    if !identity || !scope.item.as_deref().is_some_and(is_map) {
         return Vec::new();
-    };
-    let binds = |name: &str| {
-        item.clauses.iter().any(|clause| match &clause.kind {
-            ClauseKind::Function(functions) => functions.iter().any(|own| own.parameter.value == name),
-            ClauseKind::Curve(curve) => curve.parameter.value == name,
-            ClauseKind::Surface(surface) => surface.parameter_names().contains(&name),
-            ClauseKind::Domain(intervals) => intervals.iter().any(|own| own.parameter.value == name),
-            _ => false,
-        })
-    };
+    }
     let named = |parameter: &&Variable| {
         finding.variables.contains(parameter) || is_written(relation, parameter.name())
     };
-    scope.parameters.iter().filter(|parameter| !binds(parameter.name())).filter(named).cloned().collect()
+    let free = scope.parameters.iter().filter(|parameter| !scope.domains.contains_key(parameter));
+    free.filter(named).cloned().collect()
 }
 
 /// Whether a name stands in an expression, named arguments aside.
