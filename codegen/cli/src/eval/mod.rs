@@ -151,7 +151,7 @@ fn find<'a>(settings: &'a [(String, Poly)], symbol: &Variable) -> Option<&'a Pol
 /// Says so if a parameter lies outside of the domain, that of all pieces together.
 fn note_outside(pieces: &[&Model], values: &[Poly; 2]) {
     let surfaces = || pieces.iter().filter_map(|piece| piece.surface.as_deref());
-    let (Some(first), Some(last)) = (surfaces().next(), surfaces().last()) else { return };
+    let (Some(first), Some(last)) = (surfaces().next(), surfaces().next_back()) else { return };
     for (index, (parameter, value)) in first.parameters().iter().zip(values).enumerate() {
         let ends = [first.domain()[index].lower(), last.domain()[index].upper()];
         if value.compare(ends[0]).is_lt() || value.compare(ends[1]).is_gt() {
