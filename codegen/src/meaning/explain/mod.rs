@@ -6,6 +6,8 @@ mod reasons;
 mod show;
 mod signs;
 
+use std::collections::BTreeSet;
+
 use hodograph_algebra::{budget, budget::Exhausted};
 
 use self::show::Show;
@@ -103,7 +105,7 @@ impl Model {
             let show = Show::new(decisive.as_ref().unwrap_or(scope), if full { usize::MAX } else { LONGEST });
             definitions::explain(&show, &mut steps, claim);
             reasons::explain(&show, &mut steps, claim, &judged);
-            for (_, relation) in show.radicals() {
+            for relation in named(show.radicals(), &steps.steps) {
                 steps.push("where", relation, "");
             }
             conclude(&mut steps, &judged);
@@ -111,6 +113,24 @@ impl Model {
         };
         Ok(Explanation { judgement: judged.judgement, steps })
     }
+}
+
+/// The relations of those radicals that occur in steps, or in such relations.
+fn named(radicals: Vec<(String, String)>, steps: &[Step]) -> Vec<String> {
+    let words = |text: &str| -> Vec<String> {
+        text.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned).collect()
+    };
+    let mut occurring: BTreeSet<String> = steps.iter().flat_map(|step| words(&step.formula)).collect();
+    let mut relations = Vec::new();
+    // Later radicals are made of earlier ones.
+    for (name, relation) in radicals.into_iter().rev() {
+        if occurring.contains(&name) {
+            occurring.extend(words(&relation));
+            relations.push(relation);
+        }
+    }
+    relations.reverse();
+    relations
 }
 
 /// Conditions, witness and verdict.
