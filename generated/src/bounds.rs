@@ -112,7 +112,7 @@ impl Bounds {
     ///
     /// With the bounds of the point and of the normal, and u for the unit roundoff, it is
     /// e + |r|·e_n + u·(2·|r|·(1 + e_n) + max|R| + e), for a product that is rounded before it is added, or not; and the least number
-    /// of the precision, for underflow.
+    /// of the precision, for underflow. Overflow is excluded, or there is no bound.
     ///
     /// ```
     /// use hodograph::Variant;
@@ -120,6 +120,8 @@ impl Bounds {
     /// let bounds = OrientedTranslationExample2::BOUNDS;
     /// let (near, far) = (bounds.offset_point::<f64>(Variant::Plain, 0.1), bounds.offset_point::<f64>(Variant::Plain, -100.0));
     /// assert!(bounds.point.error::<f64>(Variant::Plain) < near && near < 1e-14 && near < far && far < 1e-12);
+    /// assert!(bounds.offset_point::<f32>(Variant::Plain, 1e38) < 1e32);
+    /// assert!(bounds.offset_point::<f32>(Variant::Plain, 1e39).is_infinite());
     /// ```
     #[must_use]
     pub fn offset_point<F: Float>(&self, variant: Variant, r: f64) -> f64 {
@@ -148,6 +150,11 @@ fn offset<F: Float>(a: &Bound, b: &Bound, variant: Variant, r: f64) -> f64 {
     let (unit, least) = if single { (f32::EPSILON.into(), 1e-45) } else { (f64::EPSILON, 5e-324) };
     // The number before the last rounding, and twice the unit roundoff for what is rounded of second order.
     let product = r.abs() * (b.most + of_b);
+    // A number of twice this size overflows.
+    let half = F::LARGEST / 2.0;
+    if !(product + a.most + of_a < half) {
+        return f64::INFINITY;
+    }
     let rounding = 0.5 * unit * (1.0 + 4.0 * unit) * (2.0 * product + a.most + of_a) + 2.0 * least;
     // The floats of this sum are off by less than 2^-50 of it.
     (of_a + r.abs() * of_b + rounding) * (1.0 + 8.0 * f64::EPSILON) + f64::from_bits(8)

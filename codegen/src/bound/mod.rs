@@ -356,13 +356,13 @@ impl<'a> Domain<'a> {
             steps.run(value, &nowhere, &mut cells);
         }
         let axis = |parameter: usize, stage: Stage| {
-            let both = needed.iter().filter(|&&value| program.stage(value) == Stage::Both);
-            let mut kept: Vec<Value> =
-                both.flat_map(|&value| program.operation(value).operands()).chain(results.clone()).collect();
-            kept.retain(|&value| program.stage(value) == stage);
+            let both = || needed.iter().filter(|&&value| program.stage(value) == Stage::Both);
+            let operands = both().flat_map(|&value| program.operation(value).operands());
+            let mut kept: Vec<usize> = operands.chain(results.clone()).map(|value| value.index()).collect();
+            kept.extend(both().flat_map(|value| steps.squared(value.index())));
+            kept.retain(|&value| steps.stage(value) == stage);
             kept.sort_unstable();
             kept.dedup();
-            let kept = kept.iter().map(|value| value.index()).collect();
             Axis::new(steps, parameter, &domain[parameter], of_stage(stage), kept, cells.clone())
         };
         let axes = [axis(0, Stage::U), axis(1, Stage::V)];

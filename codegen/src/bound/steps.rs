@@ -245,6 +245,14 @@ impl Steps {
         self.stages[value]
     }
 
+    /// The values whose squares are added under the root `value`, if it is one: its error is told from theirs.
+    pub(super) fn squared(&self, value: usize) -> &[usize] {
+        match &self.steps[value] {
+            Step::SquareRoot { squares, .. } => &squares.parts[..squares.count],
+            _ => &[],
+        }
+    }
+
     /// Cells of all values, of which nothing is known yet.
     pub(super) fn cells(&self) -> Cells {
         Cells::new(self.steps.len(), self.formats.len())
@@ -317,7 +325,8 @@ impl Steps {
             Step::Negate(a) => *cells.error(a, k),
             Step::SquareRoot { a, squares } => {
                 let root = format.root((cells.place(a)?, cells.error(a, k)), place, spread);
-                if squares.count == 0 {
+                // A norm is in range where its square may not be.
+                if squares.count == 0 || !cells.error(a, k).is_known {
                     return Some(root);
                 }
                 let mut parts = [(place, &Error::NONE); Squares::MOST];
@@ -349,8 +358,9 @@ impl Steps {
         let of = |value: usize| cells.error(value, k).keeps_sign;
         match step {
             // Rounding, and underflow of a product, change no sign.
-            Step::Constant | Step::Input(_) | Step::Scale(_) | Step::SquareRoot { .. } => true,
-            Step::Negate(a) => of(a),
+            Step::Constant | Step::Input(_) | Step::Scale(_) => true,
+            // What is not 0 may be the root of 0.
+            Step::Negate(a) | Step::SquareRoot { a, .. } => of(a),
             Step::Multiply { a, b, .. } | Step::Divide { a, b } | Step::Orient { a, b } => of(a) && of(b),
             Step::Add { distance: true, .. } => true,
             Step::Add { a, b, minus, .. } => match (cells.place(a), cells.place(b)) {

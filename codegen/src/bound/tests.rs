@@ -801,6 +801,65 @@ fn norms_have_bounds_where_they_vanish() {
     }
 }
 
+/// √((c·u)² + (c·v)² + (c·u·v)²) for 1 ≤ u, v ≤ 2 and a number c = n·2^`power`.
+fn large_norm(power: i32) -> Subject {
+    let size = Int::ONE.shl(u64::from(power.unsigned_abs()));
+    let size =
+        if power < 0 { Rational::new(Int::from(3), size) } else { Rational::from(size * Int::from(3)) };
+    subject(
+        move |program, u, v| {
+            let size = program.constant(Poly::constant(size.clone()));
+            let first = program.multiply(size, u);
+            let parts = [first, program.multiply(size, v), program.multiply(first, v)];
+            let squares = parts.map(|part| program.multiply(part, part));
+            let sum = program.add(squares[0], squares[1]);
+            let sum = program.add(sum, squares[2]);
+            vec![program.square_root(sum), parts[2]]
+        },
+        [[integer(1), integer(2)], [integer(1), integer(2)]],
+    )
+}
+
+/// A norm has no bound where the sum of squares overflows, although its parts and the norm itself are in range.
+#[test]
+fn norms_whose_squares_overflow_have_no_bounds() {
+    for (power, overflowing) in
+        [(58, &[][..]), (83, &[Precision::Single]), (660, &[Precision::Double, Precision::Single])]
+    {
+        let subject = large_norm(power);
+        for proof in subject.prove() {
+            let precision = proof.rounding.precision;
+            let [norm, part] = proof.output("results") else { panic!() };
+            assert_eq!(part.is_ok(), power < 120 || precision == Precision::Double);
+            match norm {
+                Ok(_) => assert!(!overflowing.contains(&precision), "{power} {precision:?}"),
+                Err(failure) => {
+                    assert!(overflowing.contains(&precision), "{power} {precision:?} {failure}");
+                    assert_eq!(failure.reason, Reason::Overflow);
+                }
+            }
+            assert!(subject.holds_at(&proof, [0.3, 0.7]));
+        }
+    }
+}
+
+/// What underflow takes from squares is counted: all of them, or their last digits.
+#[test]
+fn norms_whose_squares_underflow_have_bounds() {
+    let mut fractions = Fractions(79);
+    for power in [-30, -62, -67, -72, -76, -490, -530, -537, -540, -600] {
+        let subject = large_norm(power);
+        for proof in subject.prove() {
+            let bound = proof.output("results")[0].unwrap();
+            let close = bound.error < 1e-4 * bound.attained;
+            assert!(close || power < if proof.rounding.precision == Precision::Single { -60 } else { -500 });
+            for _ in 0..50 {
+                assert!(subject.holds_at(&proof, fractions.pair()), "{power} {:?}", proof.rounding);
+            }
+        }
+    }
+}
+
 #[test]
 fn unit_vectors_do_not_depend_on_scales() {
     // (a, b, c)·s/|(a, b, c)·s| for a direction with components of very different sizes, and its turned first component.
