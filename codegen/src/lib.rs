@@ -6,6 +6,7 @@
 
 pub mod bound;
 mod builder;
+mod certificates;
 mod choice;
 pub mod compile;
 pub mod emit;

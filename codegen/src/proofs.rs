@@ -1,8 +1,9 @@
 //! What is proved of a surface's evaluators, in the form in which it is emitted.
 
-use hodograph_algebra::{BoxSign, Essentials, Poly, Rational, Variable, budget};
+use hodograph_algebra::{Essentials, Poly, Rational};
 
 use crate::bound::{Proof, Rounding, Unbounded, ValueBound, prove};
+use crate::certificates::certificates;
 use crate::program::Program;
 use crate::round::exact;
 use crate::schedule::outputs;
@@ -107,7 +108,10 @@ pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: 
         unreachable!("one program is the other one rounded")
     };
     let bounds: Vec<OutputBound> = BOUNDED.iter().map(|name| output_bound(name, &proofs)).collect();
-    let certificates = certificates(derivation, &bounds);
+    let has_normal = |bound: &OutputBound| {
+        bound.name == outputs::UNIT_NORMAL && bound.errors.iter().any(|error| error.is_finite())
+    };
+    let certificates = certificates(derivation, bounds.iter().any(has_normal));
     Proofs { bounds, certificates }
 }
 
@@ -212,55 +216,6 @@ fn rounded_down(number: f64) -> f64 {
     }
     let Ok(rounded) = format!("{:.2e}", number * (1.0 - 0.005)).parse::<f64>() else { return 0.0 };
     if rounded <= number { rounded } else { 0.0 }
-}
-
-/// The units of work that the zeros of one polynomial may take.
-const LIMIT: u64 = 5_000_000;
-
-/// The longest description of zeros that documentation shows.
-const LONGEST: usize = 200;
-
-/// Where the surface has no poles and no singular points, or where those are.
-fn certificates(derivation: &Essentials, bounds: &[OutputBound]) -> Vec<String> {
-    let domain: Vec<(Variable, _)> =
-        derivation.parameters.iter().cloned().zip(derivation.domain.iter().cloned()).collect();
-    let zeros = |poly: &Poly| {
-        let zeros = budget::with_budget(LIMIT, || poly.zeros_on(&domain)).ok().flatten();
-        let text = zeros.map_or("not determined within the budget".to_string(), |zeros| zeros.to_string());
-        // `derive` shows what is too long for a line of documentation.
-        if text.len() <= LONGEST {
-            text
-        } else {
-            "too long to be shown here; `hodograph derive` lists them".to_string()
-        }
-    };
-    let weight = &derivation.homogeneous.coordinates()[0];
-    let has_sign = |poly: &Poly| matches!(poly.sign_on(&domain), Some(BoxSign::Positive | BoxSign::Negative));
-    let mut lines = vec![if has_sign(weight) {
-        "W ≠ 0 on the domain: certified.".to_string()
-    } else {
-        format!("Poles on the domain, where W = 0: {}.", zeros(weight))
-    }];
-    let Some(normal) = &derivation.normal else { return lines };
-    let regular = bounds.iter().any(|bound| bound.name == outputs::UNIT_NORMAL && bound.failure.is_none());
-    lines.push(match &derivation.orientation {
-        None if regular => "R_u × R_v ≠ 0 on the domain: certified.".to_string(),
-        orientation => {
-            let mut sets = Vec::new();
-            sets.extend(orientation.as_ref().map(&zeros));
-            if !regular && normal.is_rational() {
-                sets.extend(normal.length(&derivation.parameters, &derivation.domain).as_ref().map(&zeros));
-            } else if !regular && orientation.is_none() {
-                let square: Poly = normal.numerator().iter().map(|component| component * component).sum();
-                sets.push(zeros(&square));
-            }
-            format!("Singular points on the domain, where R_u × R_v = 0: {}.", sets.join("; "))
-        }
-    });
-    if derivation.orientation.is_some() && regular {
-        lines.push("Bounds of what has no value at singular points hold at all others.".to_string());
-    }
-    lines
 }
 
 #[cfg(test)]

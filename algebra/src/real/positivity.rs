@@ -193,6 +193,9 @@ impl Parts {
                 edges: part.edges.clone(),
             });
         }
+        // What is on a line or a curve is not isolated.
+        let points = std::mem::take(&mut zeros.points);
+        zeros.points = points.into_iter().filter(|point| !zeros.covers(point)).collect();
         zeros
     }
 }

@@ -29,7 +29,7 @@ use crate::{Poly, Variable};
 pub struct ZeroSet {
     /// The lines `variable = root` of the factors in one variable, their multiplicities included.
     pub lines: Vec<RealRoot>,
-    /// Isolated zeros of the other factors.
+    /// Isolated zeros of the other factors, besides those on lines and curves.
     pub points: Vec<Point>,
     /// The factors in several variables that have, or may have, further zeros on the box.
     pub curves: Vec<ZeroCurve>,
@@ -71,6 +71,31 @@ impl ZeroSet {
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.curves.iter().all(|curve| curve.crossing.is_some())
+    }
+
+    /// Whether a point lies on one of the lines or curves, or is one of the points.
+    ///
+    /// # Example
+    /// ```
+    /// use hodograph_algebra::{Interval, Point, Poly, Variable};
+    /// let (u, v) = (Variable::new(0, "u"), Variable::new(1, "v"));
+    /// let (x, y) = (Poly::variable(&u), Poly::variable(&v));
+    /// let domain = [(u.clone(), Interval::unit()), (v.clone(), Interval::unit())];
+    /// let zeros = (&y * (&x + &y).pow(2) * (&x - &y)).zeros_on(&domain).unwrap();
+    /// // u + v vanishes at (0, 0) alone, which is on the line already.
+    /// assert_eq!(zeros.to_string(), "v = 0; u - v = 0");
+    /// let at = |a, b| Point::from([(u.clone(), Poly::integer(a)), (v.clone(), Poly::integer(b))]);
+    /// assert!(zeros.covers(&at(1, 0)) && zeros.covers(&at(1, 1)) && !zeros.covers(&at(0, 1)));
+    /// ```
+    #[must_use]
+    pub fn covers(&self, point: &Point) -> bool {
+        let is_on = |root: &RealRoot| {
+            point.get(root.variable()).is_some_and(|value| root.compare_number(value).is_eq())
+        };
+        let mut curves = self.curves.iter().filter(|curve| curve.crossing.is_some());
+        self.lines.iter().any(is_on)
+            || self.points.contains(point)
+            || curves.any(|curve| curve.polynomial.evaluate(point).is_zero())
     }
 
     /// A point of the box `domain` where the polynomial vanishes, if one is known as numbers.

@@ -148,8 +148,9 @@ impl SweptSurface {
             let root = speed.root.as_ref().map(|root| root.map(|poly| into_field(poly, &mut field)));
             ParametricSpeed { root, ..speed }
         });
+        let weight = &homogeneous.coordinates()[0];
         let singular =
-            budget::doing("the singular locus", || SingularLocus::of(&normal, &parameters, &domain));
+            budget::doing("the singular locus", || SingularLocus::of(&normal, weight, &parameters, &domain));
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
         let region: Vec<(Variable, Interval)> =
             parameters.iter().cloned().zip(domain.iter().cloned()).collect();

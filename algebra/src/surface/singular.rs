@@ -1,12 +1,14 @@
 //! Where a surface has no normal.
 
 use super::normal::Normal;
+use crate::real::common::common_zeros;
 use crate::{Interval, Poly, Variable, ZeroSet, budget};
 
 /// The points of the domain at which `R_u × R_v` vanishes.
 ///
 /// With `R_u × R_v = factor · N` and `N` in lowest terms these are the zeros of the numerator of the factor, such as
-/// `1 + κ(v)x(u)`, and the common zeros of the components of `N`, which are the zeros of `|N|²`.
+/// `1 + κ(v)x(u)`, and the common zeros of the components of `N`, which are the zeros of `|N|²`. Poles, where the weight is 0, are
+/// none of them.
 ///
 /// # Example
 /// A cone has no normal at its apex:
@@ -17,7 +19,8 @@ use crate::{Interval, Poly, Variable, ZeroSet, budget};
 /// let rulings = Vector::new(Fraction::one(), v.clone(), &v * &v);
 /// let domain = [Interval::unit(), Interval::unit()];
 /// let cone = SweptSurface::new(rulings.scale(&u), parameters, domain);
-/// let locus = SingularLocus::of(cone.normal().unwrap(), cone.parameters(), cone.domain());
+/// let weight = &cone.homogeneous().coordinates()[0];
+/// let locus = SingularLocus::of(cone.normal().unwrap(), weight, cone.parameters(), cone.domain());
 /// assert_eq!(locus.factor.to_string(), "u");
 /// assert_eq!(locus.factor_zeros.unwrap().to_string(), "u = 0");
 /// assert!(locus.normal_zeros.unwrap().is_empty());
@@ -26,38 +29,44 @@ use crate::{Interval, Poly, Variable, ZeroSet, budget};
 pub struct SingularLocus {
     /// The numerator of the factor, without content.
     pub factor: Poly,
-    /// The zeros of the factor on the domain; `None` where unknown symbols or the budget keep them from being determined.
+    /// The zeros of the factor on the domain, without those of parts that it has in common with the weight; `None` where unknown
+    /// symbols or the budget keep them from being determined.
     pub factor_zeros: Option<ZeroSet>,
-    /// The zeros of `|N|²` on the domain; `None` where unknown symbols or the budget keep them from being determined.
+    /// The zeros of `|N|²` on the domain that are no poles, and no zeros of the factor; `None` where unknown symbols or the budget
+    /// keep them from being determined.
     pub normal_zeros: Option<ZeroSet>,
 }
 
 /// The units of work that the zeros of one polynomial may take: what else is derived is not to be lost with them.
 pub(super) const BUDGET: u64 = 100_000_000;
 
+/// The units of work after which zeros of `|N|²` are better found as common zeros of its components.
+const QUICK: u64 = 4_000_000;
+
 /// The zeros of a polynomial on the domain, if they can be determined.
 pub(super) fn zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
-    budget::with_budget(BUDGET, || poly.zeros_on(domain)).ok().flatten()
+    zeros_within(BUDGET, poly, domain)
+}
+
+fn zeros_within(limit: u64, poly: &Poly, domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
+    budget::with_budget(limit, || poly.zeros_on(domain)).ok().flatten()
 }
 
 impl SingularLocus {
-    /// The locus for a normal on the domain.
+    /// The locus for a normal on the domain, of a surface with this weight.
     #[must_use]
-    pub fn of(normal: &Normal, parameters: &[Variable; 2], domain: &[Interval; 2]) -> SingularLocus {
+    pub fn of(
+        normal: &Normal,
+        weight: &Poly,
+        parameters: &[Variable; 2],
+        domain: &[Interval; 2],
+    ) -> SingularLocus {
+        let factor_zeros = normal.factor_zeros(weight, parameters, domain, BUDGET);
+        let mut normal_zeros = normal.zeros(weight, parameters, domain, BUDGET);
+        if let (Some(factor), Some(normal)) = (&factor_zeros, &mut normal_zeros) {
+            normal.points.retain(|point| !factor.covers(point));
+        }
         let factor = normal.factor().lowest_terms().numerator().primitive();
-        let domain: Vec<(Variable, Interval)> =
-            parameters.iter().cloned().zip(domain.iter().cloned()).collect();
-        let factor_zeros = zeros(&factor, &domain);
-        // |N|² is a sum of squares: its zeros are those of the square root where there is one.
-        let squared = normal.squared_length();
-        let normal_zeros = match squared.expanded() {
-            _ if squared.split().is_square() => zeros(&squared.split().root, &domain),
-            Some(square) => {
-                let radical = budget::with_budget(BUDGET, || square.squarefree().radical());
-                radical.ok().and_then(|radical| zeros(&radical, &domain))
-            }
-            None => None,
-        };
         SingularLocus { factor, factor_zeros, normal_zeros }
     }
 
@@ -116,4 +125,101 @@ impl SingularLocus {
         all.dedup();
         all
     }
+}
+
+impl Normal {
+    /// Where the factor vanishes on the domain, on a surface with this weight; points that are poles are left out, and so are the
+    /// zeros of what the factor has in common with the weight. `None` where symbols, or the limit of units of work, keep it from
+    /// being determined.
+    #[must_use]
+    pub fn factor_zeros(
+        &self,
+        weight: &Poly,
+        parameters: &[Variable; 2],
+        domain: &[Interval; 2],
+        limit: u64,
+    ) -> Option<ZeroSet> {
+        let region = region(parameters, domain);
+        if !occur_in(std::slice::from_ref(self.factor().numerator()), parameters) {
+            return None;
+        }
+        let mut zeros = budget::with_budget(limit, || {
+            let mut factor = self.factor().lowest_terms().numerator().primitive();
+            let mut common = factor.gcd(weight);
+            while !common.is_constant() {
+                factor = factor.exact_div(&common)?;
+                common = factor.gcd(&common);
+            }
+            factor.zeros_on(&region)
+        });
+        if let Ok(Some(zeros)) = &mut zeros {
+            without_poles(zeros, weight);
+        }
+        zeros.ok().flatten()
+    }
+
+    /// The points of the domain where the numerator vanishes, but for poles of a surface with this weight; `None` where symbols, or
+    /// the limit of units of work, keep them from being determined. Where a zero is no number of a known field, it is among the
+    /// zeros of `|N|²`, whose number is not decided then.
+    ///
+    /// # Example
+    /// Whitney's umbrella (uv, u, v²), whose normal is (−2v, 2v², −u) and 0 at the pinch point:
+    /// ```
+    /// use hodograph_algebra::{Fraction, Interval, Poly, SweptSurface, Variable, Vector};
+    /// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+    /// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+    /// let around = || Interval::new(Poly::integer(-1), Poly::integer(1)).unwrap();
+    /// let umbrella = SweptSurface::new(Vector::new(&u * &v, u, &v * &v), parameters, [around(), around()]);
+    /// let normal = umbrella.normal().unwrap();
+    /// let zeros = normal.zeros(&Poly::one(), umbrella.parameters(), umbrella.domain(), 1_000_000);
+    /// assert_eq!(zeros.unwrap().to_string(), "(u, v) = (0, 0)");
+    /// ```
+    #[must_use]
+    pub fn zeros(
+        &self,
+        weight: &Poly,
+        parameters: &[Variable; 2],
+        domain: &[Interval; 2],
+        limit: u64,
+    ) -> Option<ZeroSet> {
+        let region = region(parameters, domain);
+        if !occur_in(self.numerator(), parameters) {
+            return None;
+        }
+        // |N|² is a sum of squares: its zeros are those of the square root where there is one.
+        let of_square = |limit: u64| {
+            let squared = self.squared_length();
+            if squared.split().is_square() {
+                return zeros_within(limit, &squared.split().root, &region);
+            }
+            let square = squared.expanded()?;
+            let radical = budget::with_budget(limit, || square.squarefree().radical());
+            radical.ok().and_then(|radical| zeros_within(limit, &radical, &region))
+        };
+        let points = || {
+            let points = budget::with_budget(limit, || common_zeros(self.numerator(), &region));
+            Some(ZeroSet { points: points.ok().flatten()?, ..ZeroSet::default() })
+        };
+        let quick = of_square(limit.min(QUICK));
+        let mut zeros = match quick {
+            Some(zeros) if zeros.is_complete() => zeros,
+            Some(undecided) => points().unwrap_or(undecided),
+            None => points().or_else(|| if limit > QUICK { of_square(limit) } else { None })?,
+        };
+        without_poles(&mut zeros, weight);
+        Some(zeros)
+    }
+}
+
+fn region(parameters: &[Variable; 2], domain: &[Interval; 2]) -> Vec<(Variable, Interval)> {
+    parameters.iter().cloned().zip(domain.iter().cloned()).collect()
+}
+
+/// Whether the polynomials have no other variables than the parameters.
+fn occur_in(polys: &[Poly], parameters: &[Variable; 2]) -> bool {
+    polys.iter().flat_map(Poly::occurring_variables).all(|variable| parameters.contains(&variable))
+}
+
+fn without_poles(zeros: &mut ZeroSet, weight: &Poly) {
+    zeros.points.retain(|point| !weight.evaluate(point).is_zero());
 }
