@@ -44,8 +44,8 @@ pub struct OutputBound {
     pub size: f64,
     /// No result has a greater magnitude; infinite where that is not known.
     pub most: f64,
-    /// Why there is no bound.
-    pub failure: Option<Unbounded>,
+    /// Why there is no bound, in each of [`Rounding::ALL`].
+    pub failures: [Option<Unbounded>; 4],
 }
 
 /// The bounds of one result of an output.
@@ -98,7 +98,9 @@ impl OutputBound {
         }
         self.size = self.size.max(other.size);
         self.most = self.most.max(other.most);
-        self.failure = self.failure.or(other.failure);
+        for (failure, other) in self.failures.iter_mut().zip(other.failures) {
+            *failure = failure.or(other);
+        }
     }
 }
 
@@ -131,13 +133,13 @@ pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
         results: Vec::new(),
         size: proofs.first().map_or(0.0, |proof| rounded_down(proof.attained(name))),
         most: f64::INFINITY,
-        failure: None,
+        failures: [None; 4],
     };
     for (place, proof) in proofs.iter().enumerate() {
         let results = proof.output(name);
         match proof.error(name) {
             Ok(error) => bound.errors[place] = rounded_up(error),
-            Err(failure) => bound.failure = Some(failure),
+            Err(failure) => bound.failures[place] = Some(failure),
         }
         let relative = |result: &Result<ValueBound, Unbounded>| {
             let relative = result.as_ref().ok().and_then(|bound| bound.relative);

@@ -64,9 +64,9 @@ impl Cells {
         }
     }
 
-    /// Whether a value and all its errors are bounded.
-    pub(super) fn is_bounded(&self, value: usize) -> bool {
-        self.places[value].is_some() && (0..self.formats).all(|format| self.error(value, format).is_known)
+    /// Whether a value and its error in a format are bounded.
+    pub(super) fn is_bounded_in(&self, value: usize, format: usize) -> bool {
+        self.places[value].is_some() && self.error(value, format).is_known
     }
 
     /// Takes over what is known of the value `from` of other cells as what is known of `value`.

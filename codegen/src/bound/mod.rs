@@ -273,7 +273,7 @@ pub fn prove(
             let Some(result) = results.get(&value.index()) else {
                 return Err(unknown(*value, Reason::Symbol));
             };
-            result.bounds[k].ok_or_else(|| result.failure.unwrap_or(unknown(*value, Reason::Overflow)))
+            result[k]
         };
         let outputs = rounded.outputs().iter();
         let outputs = outputs.map(|output| (output.name.clone(), output.values.iter().map(of).collect()));
@@ -311,13 +311,11 @@ fn depends_on_symbols(program: &Program<f64>) -> Vec<bool> {
     depends
 }
 
-/// What is proved of one value.
-struct Outcome {
-    /// A bound for each rounding.
-    bounds: Vec<Option<ValueBound>>,
-    /// Why there is none for some of them.
-    failure: Option<Unbounded>,
-}
+/// What is proved of one value: for each rounding a bound, or why there is none.
+type Outcome = Vec<Result<ValueBound, Unbounded>>;
+
+/// A box.
+type Place = (Part, Part);
 
 fn unknown(value: Value, reason: Reason) -> Unbounded {
     Unbounded { value, reason, place: [[f64::NEG_INFINITY, f64::INFINITY]; 2] }
@@ -374,17 +372,17 @@ impl<'a> Domain<'a> {
     fn prove(&mut self) -> BTreeMap<usize, Outcome> {
         let mut outcomes = BTreeMap::new();
         for value in self.results.clone() {
-            let (cells, attained, failure) = match self.steps.stage(value) {
+            let (cells, attained, failures) = match self.steps.stage(value) {
                 Stage::Constant | Stage::Symbols => {
                     let cells = self.steps.best(&self.cells, &[value]);
                     let attained = cells.least(0);
-                    (cells, attained, Some(((0, 0), (0, 0))))
+                    (cells, attained, Vec::new())
                 }
                 Stage::U => self.of_one(value, 0),
                 Stage::V => self.of_one(value, 1),
                 Stage::Both => continue,
             };
-            let outcome = self.outcome(value, &cells, 0, attained, failure);
+            let outcome = self.outcome(value, &cells, 0, attained, &failures);
             outcomes.insert(value, outcome);
         }
         let both = |values: &[usize]| {
@@ -396,35 +394,39 @@ impl<'a> Domain<'a> {
             return outcomes;
         }
         let cells = self.cells.clone();
-        let mut tiles = Tiles { steps: self.steps, axes: &mut self.axes, order, results, cells };
+        let hopeless = vec![vec![false; self.steps.formats().len()]; results.len()];
+        let mut tiles = Tiles { steps: self.steps, axes: &mut self.axes, order, results, cells, hopeless };
         let Known { cells, attained, failures } = tiles.prove();
         let results = tiles.results;
         for (place, &value) in results.iter().enumerate() {
-            let outcome = self.outcome(value, &cells, place, attained[place], failures[place]);
+            let outcome = self.outcome(value, &cells, place, attained[place], &failures[place]);
             outcomes.insert(value, outcome);
         }
         outcomes
     }
 
-    /// What is known of a value of one parameter, and where it is not.
-    fn of_one(&mut self, value: usize, parameter: usize) -> (Cells, Dyadic, Option<(Part, Part)>) {
+    /// What is known of a value of one parameter, and for each format where it is not.
+    fn of_one(&mut self, value: usize, parameter: usize) -> (Cells, Dyadic, Vec<Option<Place>>) {
         /// The level of halving beyond which a value counts as not bounded.
         const LAST_LEVEL: u32 = 12;
         let steps = self.steps;
         let axis = &mut self.axes[parameter];
         let place = axis.kept().iter().position(|&kept| kept == value).unwrap_or_default();
         let mut waiting: Vec<Part> = (0..1 << LEAF_LEVEL).rev().map(|place| (LEAF_LEVEL, place)).collect();
-        let (mut whole, mut attained, mut failure): (Option<Cells>, Dyadic, Option<Part>) =
-            (None, Dyadic::ZERO, None);
+        let (mut whole, mut attained): (Option<Cells>, Dyadic) = (None, Dyadic::ZERO);
+        let mut failures: Vec<Option<Part>> = vec![None; steps.formats().len()];
         while let Some(part) = waiting.pop() {
             let cells = steps.best(axis.on(part), &[place]);
-            if !cells.is_bounded(0) && part.0 < LAST_LEVEL && failure.is_none() {
+            let mut open = failures
+                .iter_mut()
+                .enumerate()
+                .filter(|(k, failure)| failure.is_none() && !cells.is_bounded_in(0, *k))
+                .peekable();
+            if open.peek().is_some() && part.0 < LAST_LEVEL {
                 waiting.extend(axis::halves(part).into_iter().rev());
                 continue;
             }
-            if !cells.is_bounded(0) {
-                failure = failure.or(Some(part));
-            }
+            open.for_each(|(_, failure)| *failure = Some(part));
             attained = attained.max(cells.least(0));
             match &mut whole {
                 None => whole = Some(cells),
@@ -433,23 +435,23 @@ impl<'a> Domain<'a> {
         }
         let whole = whole.unwrap_or_else(|| self.cells.of(&[value]));
         let parts = |part: Part| if parameter == 0 { (part, (0, 0)) } else { ((0, 0), part) };
-        (whole, attained, failure.map(parts))
+        (whole, attained, failures.into_iter().map(|failure| failure.map(parts)).collect())
     }
 
-    /// What is proved of `value`, of which these cells know at `at`.
+    /// What is proved of `value`, of which these cells know at `at`, and where they do not, for each format.
     fn outcome(
         &self,
         value: usize,
         cells: &Cells,
         at: usize,
         attained: Dyadic,
-        failure: Option<(Part, Part)>,
+        failures: &[Option<Place>],
     ) -> Outcome {
+        let formats = self.steps.formats();
         if self.steps.is_scaled(value) {
-            let bounds = vec![None; self.steps.formats().len()];
-            return Outcome { bounds, failure: Some(unknown(self.value(value), Reason::Scale)) };
+            return vec![Err(unknown(self.value(value), Reason::Scale)); formats.len()];
         }
-        let bound = |(k, format): (usize, &format::Format)| {
+        let bound = |k: usize, format: &format::Format| {
             let (range, error) = (cells.range(at)?, cells.error(at, k));
             let relative = error.relative.is_known().then(|| RelativeBound {
                 factor: format.number(error.relative).to_f64(),
@@ -462,21 +464,22 @@ impl<'a> Domain<'a> {
                 relative,
             })
         };
-        let bounds: Vec<Option<ValueBound>> = self.steps.formats().iter().enumerate().map(bound).collect();
-        let missing = bounds.iter().any(Option::is_none);
-        let failure = missing.then(|| self.failure(value, failure.unwrap_or(((0, 0), (0, 0)))));
-        Outcome { bounds, failure }
+        let failure = |k: usize| {
+            let place = failures.get(k).copied().flatten();
+            self.failure(value, k, place.unwrap_or(((0, 0), (0, 0))))
+        };
+        formats.iter().enumerate().map(|(k, format)| bound(k, format).ok_or_else(|| failure(k))).collect()
     }
 
-    /// What is the first to have no bound on a box, of what `value` is computed from.
-    fn failure(&self, value: usize, (u, v): (Part, Part)) -> Unbounded {
+    /// What is the first to have no bound in a format on a box, of what `value` is computed from.
+    fn failure(&self, value: usize, format: usize, (u, v): Place) -> Unbounded {
         let inputs = [self.axes[0].interval(u), self.axes[1].interval(v)];
         let mut cells = self.cells.clone();
         let mut first = value;
         for needed in self.program.needed(&[self.value(value)]) {
             let needed = needed.index();
             self.steps.run(needed, &inputs, &mut cells);
-            if !cells.is_bounded(needed) {
+            if !cells.is_bounded_in(needed, format) {
                 first = needed;
                 break;
             }

@@ -82,8 +82,8 @@ pub(super) struct Known {
     pub(super) cells: Cells,
     /// For each result a lower bound of its largest magnitude.
     pub(super) attained: Vec<Dyadic>,
-    /// For each result a box where it has no bound in some format, if there is one.
-    pub(super) failures: Vec<Option<(Part, Part)>>,
+    /// For each result and each format a box where there is no bound, if there is one.
+    pub(super) failures: Vec<Vec<Option<(Part, Part)>>>,
 }
 
 /// The values of both parameters, on boxes.
@@ -95,6 +95,9 @@ pub(super) struct Tiles<'a, 'b> {
     pub(super) results: Vec<usize>,
     /// Cells of all values, with constants filled in.
     pub(super) cells: Cells,
+    /// For each result the formats in which there is no bound on a smallest box; nothing is divided for them any more, unless
+    /// they are all.
+    pub(super) hopeless: Vec<Vec<bool>>,
 }
 
 impl Tiles<'_, '_> {
@@ -123,7 +126,10 @@ impl Tiles<'_, '_> {
             let mut next: Option<(usize, usize)> = None;
             for place in (0..aims.len()).rev() {
                 let (result, gain) = aims[place];
-                let worst = Self::to_divide(tiles, result, aim);
+                let mut worst = Self::to_divide(tiles, result, aim);
+                if worst.is_none() && self.give_up(tiles, result) {
+                    worst = Self::to_divide(tiles, result, aim);
+                }
                 let none = worst.filter(|&worst| tiles[worst].sizes[result][aim as usize].is_none());
                 let hopeless = aim == Aim::Relative && none.is_some() && changes_sign(tiles, result);
                 let extra = match aim {
@@ -161,6 +167,24 @@ impl Tiles<'_, '_> {
         }
     }
 
+    /// Whether a format without bounds, but not all of them, is found to be hopeless for a result.
+    fn give_up(&mut self, tiles: &mut [Tile], result: usize) -> bool {
+        let hopeless = &mut self.hopeless[result];
+        let before = hopeless.clone();
+        for tile in tiles.iter().filter(|tile| !tile.divided && tile.u.0 >= LAST_LEVEL) {
+            for (format, hopeless) in hopeless.iter_mut().enumerate() {
+                *hopeless |= !tile.cells.is_bounded_in(result, format);
+            }
+        }
+        if *hopeless == before || hopeless.iter().all(|&hopeless| hopeless) {
+            return false;
+        }
+        for tile in tiles {
+            tile.sizes[result] = self.sizes(&tile.cells, result);
+        }
+        true
+    }
+
     fn collected(&self, tiles: &[Tile]) -> Known {
         let whole: Vec<&Tile> = tiles.iter().filter(|tile| !tile.divided).collect();
         let mut cells = whole.first().map_or_else(|| self.cells.of(&self.results), |tile| tile.cells.clone());
@@ -170,14 +194,16 @@ impl Tiles<'_, '_> {
         let results = 0..self.results.len();
         let attained =
             |result| whole.iter().fold(Dyadic::ZERO, |most, tile| most.max(tile.cells.least(result)));
-        let failure = |result| {
-            let failure = whole.iter().find(|tile| !tile.cells.is_bounded(result));
+        let failure = |result, format| {
+            let failure = whole.iter().find(|tile| !tile.cells.is_bounded_in(result, format));
             failure.map(|tile| (tile.u, tile.v))
         };
+        let formats = 0..self.steps.formats().len();
+        let failures = |result| formats.clone().map(|format| failure(result, format)).collect();
         Known {
             cells,
             attained: results.clone().map(attained).collect(),
-            failures: results.map(failure).collect(),
+            failures: results.map(failures).collect(),
         }
     }
 
@@ -211,11 +237,20 @@ impl Tiles<'_, '_> {
         (!found).then_some(place)
     }
 
-    /// The largest error of all formats, each in its own unit.
+    fn sizes(&self, cells: &Cells, result: usize) -> [Size; 2] {
+        [Aim::Absolute, Aim::Relative].map(|aim| self.size(cells, result, aim))
+    }
+
+    /// The largest error of all formats but hopeless ones, each in its own unit.
     fn size(&self, cells: &Cells, result: usize, aim: Aim) -> Size {
         cells.place(result)?;
         let mut largest = Dyadic::ZERO;
+        let hopeless = &self.hopeless[result];
+        let all = hopeless.iter().all(|&hopeless| hopeless);
         for (k, format) in self.steps.formats().iter().enumerate() {
+            if hopeless[k] && !all {
+                continue;
+            }
             let error = cells.error(result, k);
             if !error.is_known || aim == Aim::Relative && !error.relative.is_known() {
                 return None;
@@ -239,7 +274,7 @@ impl Tiles<'_, '_> {
             self.steps.run(value, &inputs, &mut self.cells);
         }
         let cells = self.steps.best(&self.cells, &self.results);
-        let sizes = |result| [Aim::Absolute, Aim::Relative].map(|aim| self.size(&cells, result, aim));
-        Tile { u, v, sizes: (0..self.results.len()).map(sizes).collect(), cells, parent, divided: false }
+        let sizes = (0..self.results.len()).map(|result| self.sizes(&cells, result)).collect();
+        Tile { u, v, sizes, cells, parent, divided: false }
     }
 }

@@ -5,7 +5,7 @@ use super::pieces::Whole;
 use super::task::TASKS;
 use crate::bound::{Reason, Unbounded};
 use crate::program::{OperationCounts, Stage, Value};
-use crate::proofs::Proofs;
+use crate::proofs::{OutputBound, Proofs};
 
 /// The lines of the documentation of a surface, in Markdown.
 pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
@@ -40,10 +40,7 @@ pub(super) fn lines(artifact: &Artifact) -> Vec<String> {
     }
     if let Some(proofs) = &artifact.proofs {
         lines.extend(proofs.certificates.iter().map(|line| format!("- {line}")));
-        let boundless = proofs.bounds.iter().filter_map(|bound| Some((bound.name, bound.failure.as_ref()?)));
-        lines.extend(boundless.map(|(name, failure)| {
-            format!("- No bound for the error of {}: {}.", words(name), place(failure))
-        }));
+        lines.extend(proofs.bounds.iter().flat_map(boundless));
     }
     lines.extend(costs(artifact));
     lines.extend(artifact.proofs.as_ref().map(bounds).unwrap_or_default());
@@ -91,6 +88,33 @@ pub(super) fn of_pieces(whole: Whole<'_>, link: impl Fn(&str) -> String) -> Vec<
 
 fn words(name: &str) -> String {
     name.replace('_', " ")
+}
+
+/// What has no bound, in which precisions and variants, and why.
+fn boundless(bound: &OutputBound) -> Vec<String> {
+    let mut reasons: Vec<(String, Vec<usize>)> = Vec::new();
+    for (rounding, failure) in bound.failures.iter().enumerate() {
+        let Some(reason) = failure.as_ref().map(place) else { continue };
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, roundings)) => roundings.push(rounding),
+            None => reasons.push((reason, vec![rounding])),
+        }
+    }
+    let name = words(bound.name);
+    let of_one = |(reason, roundings): (String, Vec<usize>)| {
+        let place = match roundings.as_slice() {
+            [0, 1, 2, 3] => String::new(),
+            [0, 1] => " in `f64`".to_string(),
+            [2, 3] => " in `f32`".to_string(),
+            some => {
+                let names = ["`f64` plain", "`f64` fused", "`f32` plain", "`f32` fused"];
+                let some: Vec<&str> = some.iter().map(|&rounding| names[rounding]).collect();
+                format!(" in {}", some.join(", "))
+            }
+        };
+        format!("- No bound for the error of {name}{place}: {reason}.")
+    };
+    reasons.into_iter().map(of_one).collect()
 }
 
 /// Where and why something has no bound.

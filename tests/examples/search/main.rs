@@ -54,7 +54,7 @@ fn main() -> ExitCode {
         print!("{}", search.table(bounds));
         let proofs = compile(&entry.model).ok().and_then(|artifact| artifact.proofs);
         for bound in proofs.iter().flat_map(|proofs| &proofs.bounds) {
-            if let Some(reason) = &bound.failure {
+            if let Some(reason) = bound.failures.iter().flatten().next() {
                 let (u, v) = search.worst(bound.name, 0).at;
                 println!(
                     "  {} has no bound: {reason}; the largest error at u = {u:?}, v = {v:?}",
