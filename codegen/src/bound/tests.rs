@@ -18,7 +18,7 @@ use crate::program::{
 use crate::round::{exact, nearest, round};
 use crate::schedule::outputs;
 
-/// Exact arithmetic but for rounding to multiples of 2^-1500, with roots: a reference that shares nothing with
+/// Exact arithmetic but for rounding to multiples of 2^-6000, with roots: a reference that shares nothing with
 /// what is tested.
 struct Reference {
     u: Int,
@@ -26,12 +26,12 @@ struct Reference {
 }
 
 /// The binary digits after the point of a reference.
-const DIGITS: u64 = 1500;
+const DIGITS: u64 = 6000;
 
-/// What references may be off by, in their units.
-const TOLERANCE: u64 = 100;
+/// The exponent of what references may be off by: far below the least float, but roots of what they lose are larger.
+const TOLERANCE: u64 = 1100;
 
-/// A number as a multiple of 2^-1500.
+/// A number as a multiple of 2^-6000.
 #[derive(Clone, PartialEq, Debug)]
 struct Fixed(Int);
 
@@ -201,7 +201,7 @@ impl Subject {
     }
 
     /// The errors of all results at a point, which `rounding` has floats for, beside the exact numbers, both as
-    /// multiples of 2^-1500; none where they are not defined.
+    /// multiples of 2^-6000; none where they are not defined.
     fn errors(&self, rounding: Rounding, [u, v]: [f64; 2]) -> Vec<Option<(Int, Int)>> {
         let floats = Floats { u, v, symbols: &[], variant: rounding.variant };
         let singles = Singles { u: u as f32, v: v as f32, variant: rounding.variant };
@@ -279,7 +279,7 @@ impl Subject {
 
 /// Whether an error, at an exact number, is within a bound.
 fn is_within(bound: &ValueBound, (error, number): &(Int, Int)) -> bool {
-    let tolerance = Int::from(TOLERANCE);
+    let tolerance = Int::ONE.shl(DIGITS - TOLERANCE);
     let fixed = |float: f64| fixed_float(float).unwrap() + &tolerance;
     let relative = bound.relative.is_none_or(|relative| {
         let product = (fixed(relative.factor) * magnitude(number)).shr(DIGITS);
@@ -376,8 +376,9 @@ fn bounds_of_example_2_are_tight() {
 /// value.
 type Recipe = Vec<(u8, usize, usize, usize)>;
 
-/// A program with constants of all kinds and the operations of a recipe; its last values are its results.
-fn program(recipe: &Recipe, numbers: &[i64]) -> Program<Poly> {
+/// A program with constants of all kinds, one of them a multiple of 2^`power`, and the operations of a recipe; its last values are
+/// its results.
+fn program(recipe: &Recipe, numbers: &[i64], power: i32) -> Program<Poly> {
     let mut program = Program::new();
     let mut values = vec![program.input(Input::U), program.input(Input::V)];
     for (place, &number) in numbers.iter().enumerate() {
@@ -385,8 +386,13 @@ fn program(recipe: &Recipe, numbers: &[i64]) -> Program<Poly> {
             0 => Poly::constant(ratio(number, 7)),
             1 => Poly::sqrt_of(&integer(2)) + Poly::constant(ratio(number, 3)),
             2 => Poly::integer(number),
-            // In f32 it is subnormal.
-            _ => Poly::constant(Rational::new(Int::from(number), Int::from(1).shl(130))),
+            _ => {
+                let power_of_two = Int::from(1).shl(u64::from(power.unsigned_abs()));
+                Poly::constant(match power < 0 {
+                    true => Rational::new(Int::from(number), power_of_two),
+                    false => Rational::from(Int::from(number) * power_of_two),
+                })
+            }
         };
         values.push(program.constant(number));
     }
@@ -402,6 +408,12 @@ fn program(recipe: &Recipe, numbers: &[i64]) -> Program<Poly> {
             7 => program.square_root(a),
             8 => program.negate(a),
             9 => program.orient(a, b),
+            10 => {
+                let squares = [a, b, c].map(|x| program.multiply(x, x));
+                let sum = program.add(squares[0], squares[1]);
+                let sum = program.add(sum, squares[2]);
+                program.square_root(sum)
+            }
             _ => {
                 let scale = program.scale(a, b, c);
                 let direction = [a, b, c].map(|x| program.multiply(x, scale));
@@ -422,18 +434,20 @@ fn program(recipe: &Recipe, numbers: &[i64]) -> Program<Poly> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
+    /// Numbers may be near the ends of the range of `f32`, or of `f64`, where they or their squares overflow or underflow.
     #[test]
     fn errors_are_within_bounds(
-        recipe in prop::collection::vec((0_u8..11, 0_usize..6, 0_usize..6, 0_usize..6), 1..14),
+        recipe in prop::collection::vec((0_u8..12, 0_usize..6, 0_usize..6, 0_usize..6), 1..14),
         numbers in prop::collection::vec(-9_i64..10, 4),
+        power in prop::sample::select(vec![-540, -520, -140, -130, -75, -65, 61, 64, 122, 505, 512, 640, 1019]),
         starts in [-3_i64..3, -3_i64..3],
         widths in [1_i64..5, 1_i64..5],
         seed in 1_u64..u64::MAX,
     ) {
         let domain = [0, 1].map(|k| [ratio(starts[k], 3), ratio(starts[k], 3) + ratio(widths[k], 5)]);
-        let subject = Subject::new(&program(&recipe, &numbers), domain);
+        let subject = Subject::new(&program(&recipe, &numbers, power), domain);
         let mut fractions = Fractions(seed);
         for proof in subject.prove() {
             for _ in 0..12 {
