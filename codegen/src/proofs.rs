@@ -2,8 +2,9 @@
 
 use hodograph_algebra::{Essentials, Poly, Rational};
 
-use crate::bound::{Proof, Rounding, Unbounded, ValueBound, prove};
+use crate::bound::{Proof, Reason, Rounding, Unbounded, ValueBound, prove};
 use crate::certificates::certificates;
+use crate::emit::TASKS;
 use crate::program::Program;
 use crate::round::exact;
 use crate::schedule::outputs;
@@ -109,7 +110,8 @@ pub(crate) fn proofs(derivation: &Essentials, program: &Program<Poly>, rounded: 
     let Ok(proofs) = prove(program, rounded, &domain(derivation), &Rounding::ALL) else {
         unreachable!("one program is the other one rounded")
     };
-    let bounds: Vec<OutputBound> = BOUNDED.iter().map(|name| output_bound(name, &proofs)).collect();
+    let mut bounds: Vec<OutputBound> = BOUNDED.iter().map(|name| output_bound(name, &proofs)).collect();
+    exclude_overflow(&mut bounds);
     let has_normal = |bound: &OutputBound| {
         bound.name == outputs::UNIT_NORMAL && bound.errors.iter().any(|error| error.is_finite())
     };
@@ -172,6 +174,41 @@ pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
         }
     }
     bound
+}
+
+/// Outputs that have evaluators by themselves, beside those of tasks.
+const ALONE: [&str; 3] = [outputs::PARTIAL_U, outputs::PARTIAL_V, outputs::SPEEDS];
+
+/// Takes away the bounds of what is only computed together with numbers that may overflow, for then there is no answer.
+fn exclude_overflow(bounds: &mut [OutputBound]) {
+    let overflow = |name: &str, place: usize| {
+        let failures = bounds.iter().find(|bound| bound.name == name).map(|bound| bound.failures);
+        failures.and_then(|failures| failures[place]).filter(|failure| failure.reason == Reason::Overflow)
+    };
+    let answer = |name: &str, place: usize| {
+        let together = TASKS.iter().filter(|task| task.outputs.contains(&name));
+        let mut failures =
+            together.map(|task| task.outputs.iter().find_map(|name| overflow(name, place))).peekable();
+        let first = failures.peek().copied().flatten();
+        let alone = ALONE.contains(&name).then(|| overflow(name, place));
+        if failures.chain(alone).all(|failure| failure.is_some()) { first } else { None }
+    };
+    let failures = |bound: &OutputBound| [0, 1, 2, 3].map(|place| answer(bound.name, place));
+    let failures: Vec<[Option<Unbounded>; 4]> = bounds.iter().map(failures).collect();
+    for (bound, failures) in bounds.iter_mut().zip(failures) {
+        for (place, failure) in failures.into_iter().enumerate() {
+            let Some(failure) = failure.filter(|_| bound.failures[place].is_none()) else { continue };
+            bound.failures[place] = Some(failure);
+            bound.errors[place] = f64::INFINITY;
+            bound.relative_errors[place] = f64::INFINITY;
+            for result in &mut bound.results {
+                result.errors[place] = f64::INFINITY;
+                if place == 0 {
+                    (result.relative_error, result.underflow) = (f64::INFINITY, 0.0);
+                }
+            }
+        }
+    }
 }
 
 /// The interval of rationals that holds the given ends and the floats next to them, in both precisions.

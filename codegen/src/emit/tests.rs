@@ -3,7 +3,10 @@
 use hodograph_algebra::Poly;
 use quote::quote;
 
-use super::{Artifact, format, module, standalone};
+use super::{Artifact, documentation, format, module, standalone};
+use crate::compile::compile;
+use crate::language::parse_text;
+use crate::meaning::models;
 use crate::round::round;
 use crate::schedule::tests::{Example, bilinear, plane, quintic_translation, scheduled};
 
@@ -58,6 +61,28 @@ fn standalone_text_names_no_package() {
     assert!(!text.contains("hodograph"), "{text}");
     assert!(!text.contains("cfg(test"), "{text}");
     assert!(text.contains("pub trait Surface"));
+}
+
+/// Squares of the coordinates overflow in single precision, and what is computed together with them has no bound in it.
+#[test]
+fn what_overflows_in_one_precision_has_no_bound_in_it() {
+    let text = "sweep big { surface R = (1e25*u, 1e25*v, 1e25*u*v); domain u in 1..2, v in 1..2; }";
+    let (file, _source) = parse_text("big", text).unwrap();
+    let (models, _) = models(&file);
+    let artifact = compile(&models[0]).unwrap();
+    for bound in &artifact.proofs.as_ref().unwrap().bounds {
+        let overflows =
+            !["homogeneous", "point", "unit_normal"].contains(&bound.name) && !bound.name.contains("partial");
+        let in_single = bound.name == "separated_point" || !overflows;
+        assert_eq!(bound.errors.map(f64::is_finite), [true, true, in_single, in_single], "{}", bound.name);
+    }
+    let lines = documentation::lines(&artifact);
+    let start = "- No bound for the error of ";
+    let boundless: Vec<&str> = lines.iter().filter_map(|line| line.strip_prefix(start)).collect();
+    let names: Vec<&str> = boundless.iter().filter_map(|line| line.split(" in `f32`: ").next()).collect();
+    let expected =
+        ["first form", "second form", "gaussian", "mean", "principal", "speeds", "normal u", "normal v"];
+    assert_eq!(names, expected);
 }
 
 #[test]
