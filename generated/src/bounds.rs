@@ -152,7 +152,8 @@ fn offset<F: Float>(a: &Bound, b: &Bound, variant: Variant, r: f64) -> f64 {
     let product = r.abs() * (b.most + of_b);
     // A number of twice this size overflows.
     let half = F::LARGEST / 2.0;
-    if !(product + a.most + of_a < half) {
+    let size = product + a.most + of_a;
+    if size.is_nan() || size >= half {
         return f64::INFINITY;
     }
     let rounding = 0.5 * unit * (1.0 + 4.0 * unit) * (2.0 * product + a.most + of_a) + 2.0 * least;
