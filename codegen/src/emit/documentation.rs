@@ -90,19 +90,19 @@ fn words(name: &str) -> String {
     name.replace('_', " ")
 }
 
-/// What has no bound, in which precisions and variants, and why.
+/// What has no bound, in which precisions and variants, and why; for each reason one place.
 fn boundless(bound: &OutputBound) -> Vec<String> {
-    let mut reasons: Vec<(String, Vec<usize>)> = Vec::new();
+    let mut reasons: Vec<(&Unbounded, Vec<usize>)> = Vec::new();
     for (rounding, failure) in bound.failures.iter().enumerate() {
-        let Some(reason) = failure.as_ref().map(place) else { continue };
-        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+        let Some(failure) = failure else { continue };
+        match reasons.iter_mut().find(|(known, _)| known.reason == failure.reason) {
             Some((_, roundings)) => roundings.push(rounding),
-            None => reasons.push((reason, vec![rounding])),
+            None => reasons.push((failure, vec![rounding])),
         }
     }
     let name = words(bound.name);
-    let of_one = |(reason, roundings): (String, Vec<usize>)| {
-        let place = match roundings.as_slice() {
+    let of_one = |(failure, roundings): (&Unbounded, Vec<usize>)| {
+        let precision = match roundings.as_slice() {
             [0, 1, 2, 3] => String::new(),
             [0, 1] => " in `f64`".to_string(),
             [2, 3] => " in `f32`".to_string(),
@@ -112,7 +112,7 @@ fn boundless(bound: &OutputBound) -> Vec<String> {
                 format!(" in {}", some.join(", "))
             }
         };
-        format!("- No bound for the error of {name}{place}: {reason}.")
+        format!("- No bound for the error of {name}{precision}: {}.", place(failure))
     };
     reasons.into_iter().map(of_one).collect()
 }
