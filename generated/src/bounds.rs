@@ -120,7 +120,7 @@ impl Bounds {
     /// let bounds = OrientedTranslationExample2::BOUNDS;
     /// let (near, far) = (bounds.offset_point::<f64>(Variant::Plain, 0.1), bounds.offset_point::<f64>(Variant::Plain, -100.0));
     /// assert!(bounds.point.error::<f64>(Variant::Plain) < near && near < 1e-14 && near < far && far < 1e-12);
-    /// assert!(bounds.offset_point::<f32>(Variant::Plain, 1e38) < 1e32);
+    /// assert!(bounds.offset_point::<f32>(Variant::Plain, 1e38) < 1e33);
     /// assert!(bounds.offset_point::<f32>(Variant::Plain, 1e39).is_infinite());
     /// ```
     #[must_use]
