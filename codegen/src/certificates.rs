@@ -1,8 +1,8 @@
 //! Sentences on where a surface has no point or no normal.
 
 use hodograph_algebra::{
-    BoxSign, Essentials, Interval, Point, Poly, Rational, RealRoot, Variable, ZeroCurve, ZeroSet, budget,
-    ratio,
+    BoxSign, EdgeZeros, Essentials, Interval, Point, Poly, Rational, RealRoot, Variable, ZeroCurve, ZeroSet,
+    budget, ratio,
 };
 
 /// The units of work that the zeros of one polynomial may take.
@@ -37,11 +37,11 @@ pub(crate) fn certificates(derivation: &Essentials, is_regular: bool) -> Vec<Str
         sets.push(normal.factor_zeros(weight, parameters, domain, LIMIT));
     }
     if !is_regular {
-        let mut zeros = normal.zeros(weight, parameters, domain, LIMIT);
-        if let (Some(zeros), Some(Some(known))) = (&mut zeros, sets.first()) {
-            zeros.points.retain(|point| !known.covers(point));
-        }
-        sets.push(zeros);
+        let zeros = normal.zeros(weight, parameters, domain, LIMIT);
+        sets.push(match sets.first() {
+            Some(Some(known)) => zeros.map(|zeros| zeros.without(known)),
+            _ => zeros,
+        });
     }
     let are_none = sets.iter().all(|set| set.as_ref().is_some_and(ZeroSet::is_empty));
     lines.push(if are_none && !has_poles {
@@ -60,6 +60,11 @@ fn text(sets: &[Option<ZeroSet>], region: &[(Variable, Interval)]) -> String {
     let known = || sets.iter().flatten();
     let mut parts: Vec<String> = known().flat_map(|zeros| zeros.lines.iter().map(line)).collect();
     parts.extend(known().flat_map(|zeros| zeros.points.iter().map(point)));
+    let names = || region.iter().map(|(variable, _)| variable);
+    let on_line = |edge: &EdgeZeros| -> Vec<String> {
+        edge.roots.iter().map(|root| place(names(), "≈", &on(edge, root, region))).collect()
+    };
+    parts.extend(known().flat_map(|zeros| zeros.roots.iter().flat_map(on_line)));
     parts.extend(known().flat_map(|zeros| zeros.curves.iter().map(|zeros| curve(zeros, region))));
     if parts.len() > MOST {
         let others = parts.len() - MOST;
@@ -128,14 +133,7 @@ const DIGITS: u32 = 6;
 fn some_point(curve: &ZeroCurve, region: &[(Variable, Interval)]) -> Option<Vec<String>> {
     for edge in &curve.edges {
         if let Some(root) = edge.roots.first() {
-            let value = |(variable, _): &(Variable, Interval)| {
-                decimal(if *variable == edge.fixed {
-                    edge.value.to_decimal(DIGITS)
-                } else {
-                    root.to_decimal(DIGITS)
-                })
-            };
-            return Some(region.iter().map(value).collect());
+            return Some(on(edge, root, region));
         }
     }
     let (positive, negative) = curve.crossing.as_ref()?;
@@ -156,9 +154,24 @@ fn some_point(curve: &ZeroCurve, region: &[(Variable, Interval)]) -> Option<Vec<
     Some(region.iter().map(value).collect())
 }
 
+/// A point on a line, as decimals.
+fn on(edge: &EdgeZeros, root: &RealRoot, region: &[(Variable, Interval)]) -> Vec<String> {
+    let value = |(variable, _): &(Variable, Interval)| {
+        let is_fixed = *variable == edge.fixed;
+        decimal(if is_fixed { edge.value.to_decimal(DIGITS) } else { root.to_decimal(DIGITS) })
+    };
+    region.iter().map(value).collect()
+}
+
 /// A decimal without zeros at its end.
 fn decimal(text: String) -> String {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+    if !text.contains('.') {
+        return text;
+    }
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => "0".to_string(),
+        short => short.to_string(),
+    }
 }
 
 #[cfg(test)]
@@ -201,6 +214,11 @@ mod tests {
         assert_eq!(
             of("surface R = (u/(v - 1/3), v^2/(u*u + (v - 1/3)), u); domain u in -1..1, v in 0..1;")[1],
             "Singular points on the domain, where R_u × R_v = 0: (u, v) = (0, 0); (u, v) = (0, 2/3)."
+        );
+        // A cubic root.
+        assert_eq!(
+            of("surface R = (u, v^2, (u^3 - 1/2)*v); domain u in 0..1, v in -1..1;")[1],
+            "Singular points on the domain, where R_u × R_v = 0: (u, v) ≈ (0.793701, 0)."
         );
     }
 

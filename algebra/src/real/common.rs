@@ -3,31 +3,31 @@
 use super::interval::Interval;
 use super::roots::RealRoot;
 use super::subdivision::Point;
-use crate::Poly;
-use crate::Variable;
+use super::zeros::{EdgeZeros, ZeroSet};
 use crate::surface::locus::factors;
+use crate::{Poly, Variable};
 
 /// The isolated common zeros on the box `domain`, in two variables, of polynomials that occur in no others.
 ///
-/// `None` if they have a factor in common, or a zero may have a coordinate that is no exact number (`RealRoot::exact`).
+/// `None` if they have a factor in common, or a zero may have two coordinates that are no exact numbers (`RealRoot::exact`).
 ///
 /// Factors are zero one by one, in all combinations. Of what is left, one variable is eliminated by resultants, and the others
 /// are solved at every root (Cox, Little and O'Shea, *Ideals, Varieties, and Algorithms*, chapter 3, sections 1 and 6).
-pub(crate) fn common_zeros(polys: &[Poly], domain: &[(Variable, Interval)]) -> Option<Vec<Point>> {
+pub(crate) fn common_zeros(polys: &[Poly], domain: &[(Variable, Interval)]) -> Option<ZeroSet> {
     let [first, second] = domain else { return None };
     let known = |variable: &Variable| [first, second].iter().any(|(other, _)| other == variable);
     if !polys.iter().flat_map(Poly::occurring_variables).all(|variable| known(&variable)) {
         return None;
     }
     let pending = polys.iter().filter(|poly| !poly.is_zero()).cloned().collect();
-    let mut search = Search { domain: [first, second], points: Vec::new() };
+    let mut search = Search { domain: [first, second], zeros: ZeroSet::default() };
     search.split(&[], pending)?;
-    Some(search.points)
+    Some(search.zeros)
 }
 
 struct Search<'a> {
     domain: [&'a (Variable, Interval); 2],
-    points: Vec<Point>,
+    zeros: ZeroSet,
 }
 
 impl Search<'_> {
@@ -82,13 +82,26 @@ impl Search<'_> {
         let (variable, (other, interval)) = (&self.domain[axis].0, self.domain[1 - axis]);
         let restricted: Vec<Poly> = polys.iter().map(|poly| poly.substitute(variable, value)).collect();
         for root in Poly::gcd_many(&restricted).real_roots_in(other, interval)? {
-            let point =
-                Point::from([(variable.clone(), value.clone()), (other.clone(), root.exact()?.clone())]);
-            if !self.points.contains(&point) {
-                self.points.push(point);
+            let Some(exact) = root.exact() else {
+                self.add(variable, value, root);
+                continue;
+            };
+            let point = Point::from([(variable.clone(), value.clone()), (other.clone(), exact.clone())]);
+            if !self.zeros.points.contains(&point) {
+                self.zeros.points.push(point);
             }
         }
         Some(())
+    }
+
+    /// Adds a zero on the line where a variable has this value.
+    fn add(&mut self, fixed: &Variable, value: &Poly, root: RealRoot) {
+        let known = &mut self.zeros.roots;
+        match known.iter_mut().find(|edge| edge.fixed == *fixed && edge.value == *value) {
+            Some(edge) if edge.roots.iter().any(|other| other.compare(&root).is_eq()) => {}
+            Some(edge) => edge.roots.push(root),
+            None => known.push(EdgeZeros { fixed: fixed.clone(), value: value.clone(), roots: vec![root] }),
+        }
     }
 }
 
@@ -103,7 +116,13 @@ mod tests {
         let around = Interval::new(Poly::integer(-1), Poly::integer(1)).unwrap();
         let zeros = common_zeros(&polys(&x, &y), &[(u.clone(), around), (v.clone(), Interval::unit())])?;
         let mut texts: Vec<String> =
-            zeros.iter().map(|point| format!("({}, {})", point[&u], point[&v])).collect();
+            zeros.points.iter().map(|point| format!("({}, {})", point[&u], point[&v])).collect();
+        let roots = zeros.roots.iter().flat_map(|edge| {
+            let text =
+                |root: &RealRoot| format!("{} = {}: {}", edge.fixed.name(), edge.value, root.to_decimal(4));
+            edge.roots.iter().map(text)
+        });
+        texts.extend(roots);
         texts.sort();
         Some(texts)
     }
@@ -125,8 +144,10 @@ mod tests {
 
     #[test]
     fn what_is_no_number_or_no_point_is_left() {
-        // The cubic root of 1/2, and a line.
-        assert!(texts(|x, y| vec![x.pow(3) - Poly::constant(ratio(1, 2)), x - y]).is_none());
+        // The cubic root of 1/2, with a number and with itself, and a line.
+        let cubic = |x: &Poly| x.pow(3) - Poly::constant(ratio(1, 2));
+        assert_eq!(texts(|x, y| vec![cubic(x), y.clone()]).unwrap(), ["v = 0: 0.7937"]);
+        assert!(texts(|x, y| vec![cubic(x), x - y]).is_none());
         assert!(texts(|x, y| vec![(x - y) * x, (x - y) * y]).is_none());
         assert!(texts(|x, _| vec![x.clone(), Poly::zero()]).is_none());
     }

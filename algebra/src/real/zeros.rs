@@ -1,5 +1,6 @@
 //! Where a polynomial vanishes on a box.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use super::interval::Interval;
@@ -31,6 +32,8 @@ pub struct ZeroSet {
     pub lines: Vec<RealRoot>,
     /// Isolated zeros of the other factors, besides those on lines and curves.
     pub points: Vec<Point>,
+    /// Isolated zeros of which one coordinate is known as a number, and the other one as a root.
+    pub roots: Vec<EdgeZeros>,
     /// The factors in several variables that have, or may have, further zeros on the box.
     pub curves: Vec<ZeroCurve>,
 }
@@ -49,10 +52,10 @@ pub struct ZeroCurve {
     pub edges: Vec<EdgeZeros>,
 }
 
-/// The zeros of a polynomial in two variables on one edge of a box.
+/// The zeros of a polynomial in two variables on one edge of a box, or on another line where one of the variables is constant.
 #[derive(Clone, Debug)]
 pub struct EdgeZeros {
-    /// The variable that is constant on the edge.
+    /// The variable that is constant.
     pub fixed: Variable,
     /// Its value.
     pub value: Poly,
@@ -64,7 +67,7 @@ impl ZeroSet {
     /// Whether there are no zeros on the box. This is a proof if true; if false, a curve may turn out to have none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.lines.is_empty() && self.points.is_empty() && self.curves.is_empty()
+        self.lines.is_empty() && self.points.is_empty() && self.roots.is_empty() && self.curves.is_empty()
     }
 
     /// Whether all zeros are known: those of each curve are where it says.
@@ -98,6 +101,37 @@ impl ZeroSet {
             || curves.any(|curve| curve.polynomial.evaluate(point).is_zero())
     }
 
+    /// The zeros without those isolated ones that are zeros of another set.
+    #[must_use]
+    pub fn without(mut self, other: &ZeroSet) -> ZeroSet {
+        self.points.retain(|point| !other.covers(point));
+        let is_on = |line: &RealRoot, edge: &EdgeZeros, root: &RealRoot| {
+            let is_fixed = *line.variable() == edge.fixed;
+            if is_fixed { line.compare_number(&edge.value).is_eq() } else { line.compare(root).is_eq() }
+        };
+        self.keep_roots(|edge, root| {
+            let mut curves = other.curves.iter().filter(|curve| curve.crossing.is_some());
+            !other.lines.iter().any(|line| is_on(line, edge, root))
+                && !curves.any(|curve| edge.has_zero(&curve.polynomial, root))
+        });
+        self
+    }
+
+    /// The zeros without the isolated ones at which another polynomial vanishes.
+    pub(crate) fn without_zeros_of(mut self, poly: &Poly) -> ZeroSet {
+        self.points.retain(|point| !poly.evaluate(point).is_zero());
+        self.keep_roots(|edge, root| !edge.has_zero(poly, root));
+        self
+    }
+
+    fn keep_roots(&mut self, keep: impl Fn(&EdgeZeros, &RealRoot) -> bool) {
+        for edge in &mut self.roots {
+            let roots = std::mem::take(&mut edge.roots);
+            edge.roots = roots.into_iter().filter(|root| keep(edge, root)).collect();
+        }
+        self.roots.retain(|edge| !edge.roots.is_empty());
+    }
+
     /// A point of the box `domain` where the polynomial vanishes, if one is known as numbers.
     #[must_use]
     pub fn witness(&self, domain: &[(Variable, Interval)]) -> Option<Point> {
@@ -121,6 +155,13 @@ impl ZeroSet {
     }
 }
 
+impl EdgeZeros {
+    /// Whether a polynomial vanishes at one of the points of the line.
+    fn has_zero(&self, poly: &Poly, root: &RealRoot) -> bool {
+        root.sign_of(&poly.substitute(&self.fixed, &self.value)).is_some_and(Ordering::is_eq)
+    }
+}
+
 impl fmt::Display for ZeroSet {
     /// Lines, points and curves, separated by semicolons, such as `u = 0; (u, v) = (1, 1/2); u^2 - v = 0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -130,11 +171,22 @@ impl fmt::Display for ZeroSet {
             let values: Vec<String> = point.values().map(Poly::to_string).collect();
             format!("({}) = ({})", names.join(", "), values.join(", "))
         });
+        let roots = self.roots.iter().flat_map(|edge| {
+            let text = |root: &RealRoot| {
+                let (fixed, value, free) = (edge.fixed.name(), &edge.value, root.variable());
+                if edge.fixed < *free {
+                    format!("({fixed}, {free}) = ({value}, {root})")
+                } else {
+                    format!("({free}, {fixed}) = ({root}, {value})")
+                }
+            };
+            edge.roots.iter().map(text)
+        });
         let curves = self.curves.iter().map(|curve| {
             let certainty = if curve.crossing.is_some() { "" } else { " (undecided)" };
             format!("{} = 0{certainty}", curve.polynomial)
         });
-        let parts: Vec<String> = lines.chain(points).chain(curves).collect();
+        let parts: Vec<String> = lines.chain(points).chain(roots).chain(curves).collect();
         f.write_str(if parts.is_empty() { "none" } else { "" })?;
         f.write_str(&parts.join("; "))
     }

@@ -2,7 +2,7 @@
 
 use super::normal::Normal;
 use crate::real::common::common_zeros;
-use crate::{Interval, Poly, Variable, ZeroSet, budget};
+use crate::{Interval, Poly, RealRoot, Variable, ZeroSet, budget};
 
 /// The points of the domain at which `R_u × R_v` vanishes.
 ///
@@ -62,10 +62,11 @@ impl SingularLocus {
         domain: &[Interval; 2],
     ) -> SingularLocus {
         let factor_zeros = normal.factor_zeros(weight, parameters, domain, BUDGET);
-        let mut normal_zeros = normal.zeros(weight, parameters, domain, BUDGET);
-        if let (Some(factor), Some(normal)) = (&factor_zeros, &mut normal_zeros) {
-            normal.points.retain(|point| !factor.covers(point));
-        }
+        let normal_zeros = normal.zeros(weight, parameters, domain, BUDGET);
+        let normal_zeros = normal_zeros.map(|zeros| match &factor_zeros {
+            Some(factor) => zeros.without(factor),
+            None => zeros,
+        });
         let factor = normal.factor().lowest_terms().numerator().primitive();
         SingularLocus { factor, factor_zeros, normal_zeros }
     }
@@ -97,6 +98,13 @@ impl SingularLocus {
             for point in &zeros.points {
                 let equations = point.iter().map(|(variable, value)| format!("{variable} = {}", over(value)));
                 all.push(equations.collect::<Vec<_>>().join(", "));
+            }
+            for edge in &zeros.roots {
+                let (fixed, value) = (&edge.fixed, over(&edge.value));
+                let text = |root: &RealRoot| {
+                    format!("{fixed} = {value}, {} = {}", root.variable(), root.refined(16))
+                };
+                all.extend(edge.roots.iter().map(text));
             }
             for curve in &zeros.curves {
                 let certainty = if curve.crossing.is_some() { "" } else { " (undecided)" };
@@ -143,7 +151,7 @@ impl Normal {
         if !occur_in(std::slice::from_ref(self.factor().numerator()), parameters) {
             return None;
         }
-        let mut zeros = budget::with_budget(limit, || {
+        let zeros = budget::with_budget(limit, || {
             let mut factor = self.factor().lowest_terms().numerator().primitive();
             let mut common = factor.gcd(weight);
             while !common.is_constant() {
@@ -152,15 +160,12 @@ impl Normal {
             }
             factor.zeros_on(&region)
         });
-        if let Ok(Some(zeros)) = &mut zeros {
-            without_poles(zeros, weight);
-        }
-        zeros.ok().flatten()
+        Some(zeros.ok().flatten()?.without_zeros_of(weight))
     }
 
     /// The points of the domain where the numerator vanishes, but for poles of a surface with this weight; `None` where symbols, or
-    /// the limit of units of work, keep them from being determined. Where a zero is no number of a known field, it is among the
-    /// zeros of `|N|²`, whose number is not decided then.
+    /// the limit of units of work, keep them from being determined. A zero whose coordinates are both no
+    /// numbers of a known field is one of those of `|N|²`, which are not decided then.
     ///
     /// # Example
     /// Whitney's umbrella (uv, u, v²), whose normal is (−2v, 2v², −u) and 0 at the pinch point:
@@ -196,18 +201,14 @@ impl Normal {
             let radical = budget::with_budget(limit, || square.squarefree().radical());
             radical.ok().and_then(|radical| zeros_within(limit, &radical, &region))
         };
-        let points = || {
-            let points = budget::with_budget(limit, || common_zeros(self.numerator(), &region));
-            Some(ZeroSet { points: points.ok().flatten()?, ..ZeroSet::default() })
-        };
+        let points = || budget::with_budget(limit, || common_zeros(self.numerator(), &region)).ok().flatten();
         let quick = of_square(limit.min(QUICK));
-        let mut zeros = match quick {
+        let zeros = match quick {
             Some(zeros) if zeros.is_complete() => zeros,
             Some(undecided) => points().unwrap_or(undecided),
             None => points().or_else(|| if limit > QUICK { of_square(limit) } else { None })?,
         };
-        without_poles(&mut zeros, weight);
-        Some(zeros)
+        Some(zeros.without_zeros_of(weight))
     }
 }
 
@@ -218,8 +219,4 @@ fn region(parameters: &[Variable; 2], domain: &[Interval; 2]) -> Vec<(Variable, 
 /// Whether the polynomials have no other variables than the parameters.
 fn occur_in(polys: &[Poly], parameters: &[Variable; 2]) -> bool {
     polys.iter().flat_map(Poly::occurring_variables).all(|variable| parameters.contains(&variable))
-}
-
-fn without_poles(zeros: &mut ZeroSet, weight: &Poly) {
-    zeros.points.retain(|point| !weight.evaluate(point).is_zero());
 }
