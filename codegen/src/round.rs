@@ -95,7 +95,7 @@ pub fn round(program: &Program<Poly>) -> Result<Program<f64>, RoundError> {
 }
 
 /// The `f64` nearest to `value`, ties to even; `None` beyond the range.
-fn nearest_to_rational(value: &Rational) -> Option<f64> {
+pub(crate) fn nearest_to_rational(value: &Rational) -> Option<f64> {
     /// The exponent of the least subnormal number, 2^-1074.
     const LEAST: i64 = -1074;
     let (zero, numerator, denominator) = (Int::from(0), value.numer(), value.denom());

@@ -1,5 +1,7 @@
 //! The operations of a program, run over intervals and errors at once.
 
+use hodograph_algebra::Rational;
+
 use super::affine::Affine;
 use super::cells::Cells;
 use super::constant::Constant;
@@ -8,8 +10,9 @@ use super::format::{Error, Format, Rounds, Spread};
 use super::interval::Interval;
 use super::place::Place;
 use super::scale::{Degree, degrees};
-use super::{Reason, Rounding};
+use super::{Reason, Rounding, negative};
 use crate::program::{Input, Operation, Program, Stage, Value};
+use crate::round::{exact, nearest_to_rational};
 
 /// A value's operation, with what can be told before any box is known.
 #[derive(Clone, Copy, Debug)]
@@ -107,17 +110,29 @@ fn is_distance(program: &Program<f64>, first: Value, second: Value, minus: bool)
         },
         _ => None,
     };
-    #[allow(clippy::cast_possible_truncation)]
-    let is_single = |part: f64, number: f64| f64::from(number as f32).to_bits() == part.to_bits();
+    let is_single = |part: f64, number: &Rational| {
+        nearest_to_rational(number).is_some_and(|number| f64::from(number as f32) == part)
+    };
     // Parts that no float of single precision holds would be lost there.
     let is_normal = |part: f64| part.abs() > 1e-30;
-    let are_first = |a: f64, b: f64| is_single(a, a + b) && (a + b) - a == b && is_normal(b);
-    let is_rest = |number: f64, c: f64| number + c == number && is_normal(c);
+    // The sum of parts that is a float of double precision, of which the first one is that of single precision.
+    let joined = |a: f64, b: f64| {
+        let sum = exact(a)? + exact(b)?;
+        let is_float = nearest_to_rational(&sum).and_then(exact).is_some_and(|float| float == sum);
+        (is_float && is_single(a, &sum) && is_normal(b)).then_some(sum)
+    };
+    let is_rest = |number: &Rational, c: f64| {
+        let sum = exact(c).map(|c| number + &c);
+        let float = sum.and_then(|sum| nearest_to_rational(&sum)).and_then(exact);
+        float.is_some_and(|float| float == *number) && is_normal(c)
+    };
     // What is subtracted from x − a, or added to a − x, is a part.
-    let signed = |part: f64, minus: bool, is_above: bool| if minus == is_above { part } else { -part };
+    let signed =
+        |part: f64, minus: bool, is_above: bool| if minus == is_above { part } else { negative(part) };
     if let Some((a, is_above)) = from(first) {
         let last = signed(last, minus, is_above);
-        return is_single(a, a) && (are_first(a, last) || is_rest(a, last));
+        let is_whole = exact(a).is_some_and(|number| is_single(a, &number) && is_rest(&number, last));
+        return is_whole || joined(a, last).is_some();
     }
     let (start, part, inner_minus) = match program.operation(first) {
         Operation::Add(start, part) => (*start, *part, false),
@@ -126,7 +141,7 @@ fn is_distance(program: &Program<f64>, first: Value, second: Value, minus: bool)
     };
     let (Some((a, is_above)), Some(b)) = (from(start), constant(program, part)) else { return false };
     let (b, c) = (signed(b, inner_minus, is_above), signed(last, minus, is_above));
-    are_first(a, b) && is_rest(a + b, c)
+    joined(a, b).is_some_and(|sum| is_rest(&sum, c))
 }
 
 fn constant(program: &Program<f64>, value: Value) -> Option<f64> {

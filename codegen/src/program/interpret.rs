@@ -192,7 +192,7 @@ impl Arithmetic<f64> for Floats<'_> {
 
     fn divide(&self, a: &f64, b: &f64) -> Option<f64> {
         // NaN for an infinite divisor, as evaluators have it.
-        Some(a / (b + (b - b)))
+        Some(if b.is_infinite() { f64::NAN } else { a / b })
     }
 
     fn negate(&self, a: &f64) -> f64 {
