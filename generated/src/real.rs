@@ -280,8 +280,8 @@ macro_rules! variant {
 
             #[inline(always)]
             fn div(self, other: Self) -> Self {
-                // x − x is zero, or NaN where x is infinite.
-                Self(self.0 / (other.0 + (other.0 - other.0)))
+                // x·0 is zero, or NaN where x is infinite.
+                Self(self.0 / other.mul_add(Self(F::default()), other).0)
             }
         }
 
