@@ -104,7 +104,7 @@ fn surfaces_state_what_was_derived() {
                 surface.name()
             );
         }
-        let exact = entry.derivation.control_net.points.iter().flatten();
+        let exact = entry.control_net().points.iter().flatten();
         let exact: Vec<[f64; 4]> =
             exact.map(|point| point.each_ref().map(|number| nearest(number).unwrap())).collect();
         assert_eq!(surface.control_net(), exact, "{}", surface.name());

@@ -265,6 +265,11 @@ pub(crate) fn spent() -> u64 {
     ACCOUNT.with_borrow(|account| account.spent)
 }
 
+/// The units that the limit leaves on this thread.
+pub(crate) fn left() -> u64 {
+    ACCOUNT.with_borrow(|account| account.limit.map_or(u64::MAX, |limit| limit.saturating_sub(account.spent)))
+}
+
 /// Runs `work` as the task `what`, which an error will name: as what was being done, or as what was finished before.
 pub fn doing<T>(what: impl Into<Cow<'static, str>>, work: impl FnOnce() -> T) -> T {
     ACCOUNT.with_borrow_mut(|account| {

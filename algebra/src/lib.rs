@@ -99,7 +99,7 @@ pub use surface::conditions::{Conditions, common_factors, falling_degree};
 pub use surface::control_net::ControlNet;
 pub use surface::curvature_zeros::CurvatureZeros;
 pub use surface::degree::Bidegree;
-pub use surface::derivation::{Derivation, Offset};
+pub use surface::derivation::{Derivation, DifferentialGeometry, Offset};
 pub use surface::essentials::Essentials;
 pub use surface::form_function::FormFunction;
 pub use surface::fundamental_forms::{FormError, FundamentalForms};

@@ -3,8 +3,9 @@
 use std::rc::Rc;
 
 use hodograph_algebra::{
-    Bidegree, Calculus, Complex, Curve, CurveError, Derivation, Fraction, Hermite, Interval, KnownProperties,
-    Offset, OffsetError, Poly, Preimage, SweptSurface, Variable, Vector, integer, moving_frame_curve, ratio,
+    Bidegree, Calculus, Complex, ControlNet, Curve, CurveError, Derivation, DifferentialGeometry, Fraction,
+    Hermite, Interval, KnownProperties, Offset, OffsetError, Poly, Preimage, SweptSurface, Variable, Vector,
+    integer, moving_frame_curve, ratio,
 };
 
 fn u() -> Variable {
@@ -32,6 +33,14 @@ fn surface(position: Vector) -> SweptSurface {
 
 fn derive(position: Vector) -> Derivation {
     surface(position).derive().expect("a surface")
+}
+
+fn geometry(derivation: &Derivation) -> &DifferentialGeometry {
+    derivation.geometry.as_ref().expect("there is no limit")
+}
+
+fn net(derivation: &Derivation) -> &ControlNet {
+    derivation.control_net.as_ref().expect("there is no limit")
 }
 
 fn degrees(derivation: &Derivation) -> [(i64, i64); 4] {
@@ -65,16 +74,21 @@ fn the_sphere() {
     let derivation = derive(Vector::new(&x * &cosine, &x * &sine, z));
     assert_eq!(degrees(&derivation), [(2, 2), (2, 2), (2, 1), (1, 2)]);
     // The unit normal of the unit sphere is, up to its sign, its position.
-    assert!(derivation.normal.is_rational());
-    let unit = derivation.normal.unit(&derivation.parameters, &derivation.domain).expect("a rational normal");
+    assert!(geometry(&derivation).normal.is_rational());
+    let unit = geometry(&derivation)
+        .normal
+        .unit(&derivation.parameters, &derivation.domain)
+        .expect("a rational normal");
     let position = derivation.homogeneous.cartesian();
     assert_eq!(unit, -&position);
-    assert_eq!(derivation.singular_zeros, ["u = 1"]);
+    assert_eq!(geometry(&derivation).singular_zeros, ["u = 1"]);
     // So the offset at the distance r is the sphere scaled by 1 − r.
-    let Offset::Rational(offset) = &derivation.offset else { panic!("a sphere's offset is rational") };
+    let Offset::Rational(offset) = &geometry(&derivation).offset else {
+        panic!("a sphere's offset is rational")
+    };
     let shrunk = Fraction::from(Poly::one() - Poly::variable(&derivation.distance));
     assert_eq!(offset.cartesian(), position.scale(&shrunk));
-    assert!(derivation.normal.is_valid());
+    assert!(geometry(&derivation).normal.is_valid());
 }
 
 #[test]
@@ -86,10 +100,10 @@ fn example_2_lives_in_degree_4_and_is_regular() {
     let relations = (0..2).map(|i| derivation.field.relation(i).to_string()).collect::<Vec<_>>();
     assert_eq!((derivation.field.degree(), relations[0].as_str()), (4, "sqrt2^2 - 2"));
     assert_eq!(relations[1], "theta^2 - 100*sqrt2 - 110");
-    assert!(derivation.singular.is_regular());
-    assert!(derivation.speeds.iter().all(|speed| speed.certified));
+    assert!(geometry(&derivation).singular.is_regular());
+    assert!(geometry(&derivation).speeds.iter().all(|speed| speed.certified));
     // The control net begins at R(0, 0) = p(0) = (1, 0, 0).
-    let [w, x, y, z] = &derivation.control_net.points[0][0];
+    let [w, x, y, z] = &net(&derivation).points[0][0];
     assert!(w == x && y.is_zero() && z.is_zero() && !w.is_zero());
 }
 
@@ -97,11 +111,11 @@ fn example_2_lives_in_degree_4_and_is_regular() {
 fn the_control_net_interpolates_the_corners() {
     let [x, z] = circle(&u());
     let derivation = derive(translation(&example_2(), &x, &z));
-    let [m, n] = derivation.control_net.degree.map(|degree| degree as usize);
+    let [m, n] = net(&derivation).degree.map(|degree| degree as usize);
     for (i, j) in [(0, 0), (0, n), (m, 0), (m, n)] {
         let at = |corner: bool| Poly::integer(corner.into());
         for (coordinate, corner) in
-            derivation.homogeneous.coordinates().iter().zip(&derivation.control_net.points[i][j])
+            derivation.homogeneous.coordinates().iter().zip(&net(&derivation).points[i][j])
         {
             assert_eq!(coordinate.substitute(&u(), &at(i > 0)).substitute(&v(), &at(j > 0)), *corner);
         }
@@ -122,7 +136,9 @@ fn a_factor_of_the_hodograph_is_common_to_the_coordinates() {
     assert_eq!(derivation.homogeneous.raw_degrees()[0], Bidegree { u: 0, v: 6 });
     assert!(Poly::coprime(derivation.homogeneous.coordinates()));
     // The profile (u, u²) has the irrational speed √(1 + 4u²).
-    let Offset::Irrational { odd } = &derivation.offset else { panic!("the offset is not rational") };
+    let Offset::Irrational { odd } = &geometry(&derivation).offset else {
+        panic!("the offset is not rational")
+    };
     assert_eq!(odd.to_string(), "4*u^2 + 1");
 }
 
@@ -138,10 +154,10 @@ fn symbolic_quintics_have_the_generic_degrees() {
         [72, 578, 672, 36]
     );
     // The published term counts of the normal's numerators.
-    let mut terms = derivation.normal.numerator().each_ref().map(|poly| poly.terms().len());
+    let mut terms = geometry(&derivation).normal.numerator().each_ref().map(|poly| poly.terms().len());
     terms.sort_unstable();
     assert_eq!(terms, [36, 54, 72]);
-    assert!(derivation.offset.is_rational());
+    assert!(geometry(&derivation).offset.is_rational());
 }
 
 #[test]

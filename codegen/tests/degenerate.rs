@@ -96,7 +96,8 @@ fn surface_of(definitions: &str, surface: &str, domain: &str) -> SweptSurface {
 /// Where there is no normal, and where there are poles.
 fn singular_and_poles(definitions: &str, surface: &str, domain: &str) -> (Vec<String>, String) {
     let derivation = surface_of(definitions, surface, domain).derive().expect("a surface");
-    (derivation.singular_zeros, derivation.poles.expect("no symbols").to_string())
+    let geometry = derivation.geometry.expect("there is no limit");
+    (geometry.singular_zeros, derivation.poles.expect("no symbols").to_string())
 }
 
 #[track_caller]

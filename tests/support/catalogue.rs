@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use hodograph_algebra::{Derivation, Poly, Rational, SweptSurface, Variable};
+use hodograph_algebra::{
+    ControlNet, Derivation, DifferentialGeometry, Poly, Rational, SweptSurface, Variable,
+};
 use hodograph_codegen::compile;
 use hodograph_codegen::language::ast::{File, ItemKind};
 use hodograph_codegen::language::{Report, Source, decode, parse_text, read_input};
@@ -88,6 +90,32 @@ impl Formulas {
 #[must_use]
 pub fn sweeps() -> Vec<Entry> {
     derived(files())
+}
+
+impl Entry {
+    /// What derivatives tell of the surface.
+    ///
+    /// # Panics
+    /// If the budget does not suffice for that.
+    #[must_use]
+    pub fn geometry(&self) -> &DifferentialGeometry {
+        match &self.derivation.geometry {
+            Ok(geometry) => geometry,
+            Err(exhausted) => panic!("{}: {exhausted}", self.model.name),
+        }
+    }
+
+    /// The control points.
+    ///
+    /// # Panics
+    /// If the budget does not suffice for them.
+    #[must_use]
+    pub fn control_net(&self) -> &ControlNet {
+        match &self.derivation.control_net {
+            Ok(net) => net,
+            Err(exhausted) => panic!("{}: {exhausted}", self.model.name),
+        }
+    }
 }
 
 /// The sweeps that have an evaluator and no symbols.

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use hodograph_algebra::{Bidegree, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{
+    Bidegree, ControlNet, Derivation, DifferentialGeometry, Fraction, Homogeneous, Offset, Poly, Variable,
+};
 
 use crate::catalogue::Entry;
 use crate::digest::fnv1a;
@@ -20,6 +22,7 @@ const WIDEST: usize = 160;
 #[must_use]
 pub fn text(entry: &Entry) -> String {
     let Entry { model, derivation } = entry;
+    let geometry = entry.geometry();
     let mut page = Page::new(&derivation.parameters);
     let out = &mut page.text;
     _ = writeln!(out, "{}\n{}\n", model.name, "=".repeat(model.name.len()));
@@ -35,9 +38,9 @@ pub fn text(entry: &Entry) -> String {
     field(&mut page, derivation);
     page.heading("Homogeneous coordinates");
     coordinates(&mut page, &derivation.homogeneous);
-    normal(&mut page, derivation);
+    normal(&mut page, derivation, geometry);
     page.heading("Parametric speeds");
-    for (variable, speed) in derivation.parameters.iter().zip(&derivation.speeds) {
+    for (variable, speed) in derivation.parameters.iter().zip(&geometry.speeds) {
         let name = format!("|R_{}|", variable.name());
         match &speed.root {
             Some(root) if speed.certified => page.fraction(&format!("{name} = "), root),
@@ -49,12 +52,12 @@ pub fn text(entry: &Entry) -> String {
         }
     }
     page.heading("Singular points on the domain");
-    match derivation.singular_zeros.as_slice() {
+    match geometry.singular_zeros.as_slice() {
         [] => page.line("none"),
         zeros => zeros.iter().for_each(|zero| page.line(zero)),
     }
-    offset(&mut page, derivation);
-    control_net(&mut page, derivation);
+    offset(&mut page, derivation, geometry);
+    control_net(&mut page, entry.control_net());
     page.text
 }
 
@@ -95,8 +98,8 @@ fn coordinates(page: &mut Page<'_>, homogeneous: &Homogeneous) {
     }
 }
 
-fn normal(page: &mut Page<'_>, derivation: &Derivation) {
-    let normal = &derivation.normal;
+fn normal(page: &mut Page<'_>, derivation: &Derivation, geometry: &DifferentialGeometry) {
+    let normal = &geometry.normal;
     let [u, v] = derivation.parameters.each_ref().map(Variable::name);
     page.heading(&format!("Normal: R_{u} × R_{v} = factor · N"));
     page.fraction("factor = ", normal.factor());
@@ -116,10 +119,10 @@ fn normal(page: &mut Page<'_>, derivation: &Derivation) {
     }
 }
 
-fn offset(page: &mut Page<'_>, derivation: &Derivation) {
+fn offset(page: &mut Page<'_>, derivation: &Derivation, geometry: &DifferentialGeometry) {
     let distance = derivation.distance.name();
     page.heading(&format!("Offset at the distance {distance}"));
-    match &derivation.offset {
+    match &geometry.offset {
         Offset::Rational(surface) => {
             for (name, degree) in Homogeneous::NAMES.iter().zip(surface.degrees()) {
                 page.line(&format!("{name:<16}{degree}"));
@@ -135,8 +138,7 @@ fn offset(page: &mut Page<'_>, derivation: &Derivation) {
     }
 }
 
-fn control_net(page: &mut Page<'_>, derivation: &Derivation) {
-    let net = &derivation.control_net;
+fn control_net(page: &mut Page<'_>, net: &ControlNet) {
     page.heading(&format!("Control net of degree ({}, {}): weights", net.degree[0], net.degree[1]));
     for (i, row) in net.points.iter().enumerate() {
         for (j, [weight, ..]) in row.iter().enumerate() {

@@ -76,6 +76,7 @@ impl<'a> Oracle<'a> {
     pub fn new(derivation: &'a Derivation) -> Oracle<'a> {
         let enclosed = |poly: &Poly| Enclosed::new(poly, derivation);
         let homogeneous = derivation.homogeneous.coordinates();
+        let geometry = derivation.geometry.as_ref().expect("the budget suffices for the catalogue's normals");
         let [u, v] = &derivation.parameters;
         let along = |first: &_| homogeneous.each_ref().map(|poly| poly.derivative(first));
         let [along_u, along_v] = [along(u), along(v)];
@@ -86,8 +87,8 @@ impl<'a> Oracle<'a> {
             derivation,
             homogeneous: homogeneous.each_ref().map(enclosed),
             derivatives: [along_u.each_ref().map(enclosed), along_v.each_ref().map(enclosed), uu, uv, vv],
-            normal: derivation.normal.numerator().each_ref().map(enclosed),
-            singular: enclosed(&derivation.singular.factor),
+            normal: geometry.normal.numerator().each_ref().map(enclosed),
+            singular: enclosed(&geometry.singular.factor),
         }
     }
 

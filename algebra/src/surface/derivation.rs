@@ -7,6 +7,7 @@ use super::homogeneous::Homogeneous;
 use super::normal::Normal;
 use super::singular::{self, SingularLocus};
 use super::swept::{OffsetError, ParametricSpeed, RadicalSurface, SweptSurface, unused};
+use crate::budget::Exhausted;
 use crate::number::field;
 use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, minimize_field};
 
@@ -25,9 +26,10 @@ use crate::{BoxSign, Interval, NumberField, Poly, Variable, ZeroSet, budget, min
 /// let domain = [Interval::unit(), Interval::unit()];
 /// let derivation = SweptSurface::new(Vector::new(u, v, height), parameters, domain).derive().unwrap();
 /// assert_eq!(derivation.homogeneous.to_string(), "(1, u, v, u^2 + v^2)");
-/// assert_eq!(derivation.control_net.degree, [2, 2]);
-/// assert_eq!(derivation.speeds[0].to_string(), "sqrt(4*u^2 + 1)");
-/// assert!(derivation.singular.is_regular() && !derivation.offset.is_rational());
+/// assert_eq!(derivation.control_net.unwrap().degree, [2, 2]);
+/// let geometry = derivation.geometry.unwrap();
+/// assert_eq!(geometry.speeds[0].to_string(), "sqrt(4*u^2 + 1)");
+/// assert!(geometry.singular.is_regular() && !geometry.offset.is_rational());
 /// ```
 #[derive(Clone, Debug)]
 pub struct Derivation {
@@ -41,6 +43,21 @@ pub struct Derivation {
     pub domain: [Interval; 2],
     /// The homogeneous coordinates.
     pub homogeneous: Homogeneous,
+    /// What derivatives tell of the surface; the error if that needs more than the budget leaves to it, which the coordinates of
+    /// one further construction upon another soon do.
+    pub geometry: Result<DifferentialGeometry, Exhausted>,
+    /// The symbol for the distance of the offset.
+    pub distance: Variable,
+    /// Where the weight W vanishes on the domain, so that the surface has poles; `None` where symbols decide, or the poles
+    /// need more than their share of the budget.
+    pub poles: Option<ZeroSet>,
+    /// The control points over the domain; the error if the budget does not suffice for them.
+    pub control_net: Result<ControlNet, Exhausted>,
+}
+
+/// What derivatives tell of a surface: normal, parametric speeds, singular locus and offset.
+#[derive(Clone, Debug)]
+pub struct DifferentialGeometry {
     /// The normal.
     pub normal: Normal,
     /// The parametric speeds `‖R_u‖` and `‖R_v‖`.
@@ -51,16 +68,9 @@ pub struct Derivation {
     pub singular_zeros: Vec<String>,
     /// The offset surface at the distance [`Derivation::distance`].
     pub offset: Offset,
-    /// The symbol for the distance of the offset.
-    pub distance: Variable,
     /// The polynomial that is positive where the unit normal `N/|N|` points the way of `R_u × R_v`; `None` where that is
     /// certified for the whole domain. Beyond its zeros the offset at the distance `r` is the one at `−r`.
     pub orientation: Option<Poly>,
-    /// Where the weight W vanishes on the domain, so that the surface has poles; `None` where symbols decide, or the poles
-    /// need more than their share of the budget.
-    pub poles: Option<ZeroSet>,
-    /// The control points over the domain.
-    pub control_net: ControlNet,
 }
 
 /// The offset surface at a symbolic distance.
@@ -94,7 +104,8 @@ impl Offset {
 }
 
 impl SweptSurface {
-    /// Derives everything.
+    /// Derives everything. What the budget does not suffice for is left out, after the homogeneous coordinates: what derivatives tell,
+    /// for which there are seven eighths of what is left, and the control net.
     ///
     /// # Errors
     /// [`OffsetError::NoSurface`] if the formula gives a curve or a point.
@@ -104,28 +115,68 @@ impl SweptSurface {
         let symbols = self.symbols();
         let distance = self.distance_symbol();
         let homogeneous = budget::doing("the homogeneous coordinates", || self.homogeneous());
+        let share = budget::left() / PARTS * (PARTS - 1);
+        let geometry = budget::with_budget(share, || self.geometry(homogeneous, &distance));
+        let (mut field, homogeneous, geometry) = match geometry {
+            Ok(Ok((field, homogeneous, geometry))) => (field, homogeneous, Ok(geometry)),
+            Ok(Err(error)) => return Err(error),
+            Err(exhausted) => {
+                let mut all = Vec::new();
+                homogeneous.visit(|poly| all.push(poly.clone()));
+                let (field, mut next) = in_one_field(&all);
+                (
+                    field,
+                    homogeneous.map(&mut |_: &Poly| next.next().unwrap_or_else(Poly::zero)),
+                    Err(exhausted),
+                )
+            }
+        };
+        let region: Vec<(Variable, Interval)> =
+            parameters.iter().cloned().zip(domain.iter().cloned()).collect();
+        // What has been derived is not to be lost with the zeros of one polynomial.
+        let poles = budget::doing("the poles", || singular::zeros(&homogeneous.coordinates()[0], &region));
+        let control_net = budget::with_budget(budget::left(), || {
+            let net = budget::doing("the control net", || ControlNet::of(&homogeneous, &domain));
+            net.map(|number| into_field(number, &mut field))
+        });
+        Ok(Derivation {
+            field,
+            parameters,
+            symbols,
+            domain,
+            homogeneous,
+            geometry,
+            distance,
+            poles,
+            control_net,
+        })
+    }
+
+    /// What derivatives tell, with the homogeneous coordinates over the same field.
+    fn geometry(
+        &self,
+        homogeneous: &Homogeneous,
+        distance: &Variable,
+    ) -> Result<(Arc<NumberField>, Homogeneous, DifferentialGeometry), OffsetError> {
+        let (parameters, domain) = (self.parameters(), self.domain());
         let normal = budget::doing("the normal", || self.normal())?;
-        let offset = budget::doing("the offset", || self.offset(&Poly::variable(&distance).into()));
+        let offset = budget::doing("the offset", || self.offset(&Poly::variable(distance).into()));
         let (offset, radical) = match offset {
             Ok(surface) => (Ok(surface.homogeneous().clone()), None),
             Err(OffsetError::SymbolicRadical { surface: Some(surface), .. }) => {
                 let RadicalSurface { radical, position } = *surface;
-                (Ok(Homogeneous::of(&position, &parameters)), Some(radical))
+                (Ok(Homogeneous::of(&position, parameters)), Some(radical))
             }
             Err(error) => (Err(error), None),
         };
 
-        // One field for all of them: what the visit collects is minimized, and given back in the same order.
         let mut all = Vec::new();
         homogeneous.visit(|poly| all.push(poly.clone()));
         normal.visit(|poly| all.push(poly.clone()));
         if let Ok(offset) = &offset {
             offset.visit(|poly| all.push(poly.clone()));
         }
-        let minimized = budget::doing("the number field", || minimize_field(&all));
-        let mut field =
-            minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
-        let mut next = minimized.into_iter();
+        let (mut field, mut next) = in_one_field(&all);
         let mut replace = |_: &Poly| next.next().unwrap_or_else(Poly::zero);
         let homogeneous = homogeneous.map(&mut replace);
         let normal = normal.map(&mut replace);
@@ -142,7 +193,7 @@ impl SweptSurface {
 
         let position = homogeneous.cartesian();
         let speeds = budget::doing("the parametric speeds", || {
-            ParametricSpeed::both(&position, &parameters, &domain, self.directions())
+            ParametricSpeed::both(&position, parameters, domain, self.directions())
         });
         let speeds = speeds.map(|speed| {
             let root = speed.root.as_ref().map(|root| root.map(|poly| into_field(poly, &mut field)));
@@ -150,7 +201,7 @@ impl SweptSurface {
         });
         let weight = &homogeneous.coordinates()[0];
         let singular =
-            budget::doing("the singular locus", || SingularLocus::of(&normal, weight, &parameters, &domain));
+            budget::doing("the singular locus", || SingularLocus::of(&normal, weight, parameters, domain));
         let singular_zeros = singular.descriptions(|number| into_field(number, &mut field));
         let region: Vec<(Variable, Interval)> =
             parameters.iter().cloned().zip(domain.iter().cloned()).collect();
@@ -161,26 +212,8 @@ impl SweptSurface {
         let orientation = normal.orientation();
         let oriented = budget::doing("the orientation of the normal", || positive(&orientation));
         let orientation = (!oriented).then_some(orientation);
-        // What has been derived is not to be lost with the zeros of one polynomial.
-        let poles = budget::doing("the poles", || singular::zeros(&homogeneous.coordinates()[0], &region));
-        let control_net = budget::doing("the control net", || ControlNet::of(&homogeneous, &domain));
-        let control_net = control_net.map(|number| into_field(number, &mut field));
-        Ok(Derivation {
-            field,
-            parameters,
-            symbols,
-            domain,
-            homogeneous,
-            normal,
-            speeds,
-            singular,
-            singular_zeros,
-            offset,
-            distance,
-            orientation,
-            poles,
-            control_net,
-        })
+        let geometry = DifferentialGeometry { normal, speeds, singular, singular_zeros, offset, orientation };
+        Ok((field, homogeneous, geometry))
     }
 
     /// The symbol for the distance of an offset: `r`, or the first of `r1`, `r2`, … if the surface has a symbol of this
@@ -189,6 +222,16 @@ impl SweptSurface {
     pub fn distance_symbol(&self) -> Variable {
         unused("r", self.symbols().iter())
     }
+}
+
+/// All but one of these parts of the budget that is left may go into what derivatives tell: the rest suffices for the control net.
+const PARTS: u64 = 8;
+
+/// All polynomials over one field, with the fewest generators, in the same order.
+fn in_one_field(all: &[Poly]) -> (Arc<NumberField>, impl Iterator<Item = Poly>) {
+    let minimized = budget::doing("the number field", || minimize_field(all));
+    let field = minimized.first().map_or_else(NumberField::rationals, |poly| poly.ring().field().clone());
+    (field, minimized.into_iter())
 }
 
 /// The polynomial over `field`, which grows where it must.

@@ -10,9 +10,14 @@
 //! `conditions` is `null` if the budget does not suffice, and `[]` without symbols. The offset has its own, in which its
 //! distance is one more symbol.
 //!
+//! Where the budget does not suffice, `normal`, `speeds`, `singular` and `offset` are `null`, or `control_net` is, and `undetermined`
+//! lists how far these computations came; else it is `[]`.
+//!
 //! The square root of a polynomial in the symbols, in offsets, is a generator whose `approximation` is `null`.
 
-use hodograph_algebra::{Bidegree, Conditions, Derivation, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{
+    Bidegree, Conditions, Derivation, DifferentialGeometry, Homogeneous, Offset, Poly, Variable,
+};
 use serde::Serialize;
 
 use super::conditions::{Alternative, statements};
@@ -37,10 +42,12 @@ struct Sweep<'a> {
     raw_degree: [i64; 2],
     common_factor: String,
     conditions: Option<Vec<Condition>>,
-    normal: Normal,
-    speeds: Speeds,
-    singular: Singular<'a>,
-    offset: OffsetSurface,
+    normal: Option<Normal>,
+    speeds: Option<Speeds>,
+    singular: Option<Singular<'a>>,
+    offset: Option<OffsetSurface>,
+    /// Why some are `null`.
+    undetermined: Vec<String>,
     control_net: Option<Net>,
 }
 
@@ -131,8 +138,7 @@ pub(super) fn output(all: &[Derived<'_>]) -> String {
 fn sweep<'a>(derived: &'a Derived<'_>) -> Sweep<'a> {
     let Derived { model, derivation, .. } = derived;
     let homogeneous = &derivation.homogeneous;
-    let [speed_u, speed_v] = derivation.speeds.each_ref().map(ToString::to_string);
-    let net = &derivation.control_net;
+    let geometry = derivation.geometry.as_ref();
     Sweep {
         name: &model.name,
         source: model.source.as_deref(),
@@ -144,31 +150,51 @@ fn sweep<'a>(derived: &'a Derived<'_>) -> Sweep<'a> {
         raw_degree: pair(homogeneous.raw_degree()),
         common_factor: homogeneous.common_factor().to_string(),
         conditions: conditions(derived.conditions.as_ref(), &derivation.parameters),
-        normal: Normal {
-            numerator: derivation.normal.numerator().each_ref().map(Poly::to_string),
-            norm_squared: norm_squared(derivation),
-            rational: derivation.normal.is_rational(),
-        },
-        speeds: Speeds { u: speed_u, v: speed_v },
-        singular: Singular {
-            factor: derivation.singular.factor.to_string(),
-            zeros: &derivation.singular_zeros,
-        },
-        offset: OffsetSurface {
-            rational: derivation.offset.is_rational(),
-            homogeneous: match &derivation.offset {
-                Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } => {
-                    Some(coordinates(offset))
-                }
-                _ => None,
-            },
-            conditions: conditions(derived.offset_conditions.as_ref(), &derivation.parameters),
-            reason: offset_reason(derivation, Poly::to_string),
-        },
-        control_net: Some(Net {
+        normal: geometry.ok().map(normal),
+        speeds: geometry.ok().map(|geometry| {
+            let [u, v] = geometry.speeds.each_ref().map(ToString::to_string);
+            Speeds { u, v }
+        }),
+        singular: geometry.ok().map(|geometry| Singular {
+            factor: geometry.singular.factor.to_string(),
+            zeros: &geometry.singular_zeros,
+        }),
+        offset: geometry.ok().map(|geometry| offset(derived, geometry)),
+        undetermined: geometry
+            .err()
+            .into_iter()
+            .chain(derivation.control_net.as_ref().err())
+            .map(ToString::to_string)
+            .collect(),
+        control_net: derivation.control_net.as_ref().ok().map(|net| Net {
             degree: net.degree,
             points: net.points.iter().flatten().map(|point| point.each_ref().map(Poly::to_string)).collect(),
         }),
+    }
+}
+
+fn normal(geometry: &DifferentialGeometry) -> Normal {
+    let normal = &geometry.normal;
+    let squared = normal.squared_length();
+    Normal {
+        numerator: normal.numerator().each_ref().map(Poly::to_string),
+        // A sum of squares where it is too large to be multiplied out.
+        norm_squared: squared.expanded().map_or_else(|| squared.sum_of_squares(), ToString::to_string),
+        rational: normal.is_rational(),
+    }
+}
+
+fn offset(derived: &Derived<'_>, geometry: &DifferentialGeometry) -> OffsetSurface {
+    OffsetSurface {
+        rational: geometry.offset.is_rational(),
+        homogeneous: match &geometry.offset {
+            Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } => {
+                Some(coordinates(offset))
+            }
+            _ => None,
+        },
+        conditions: conditions(derived.offset_conditions.as_ref(), &derived.derivation.parameters),
+        reason: offset_reason(geometry, &derived.derivation.distance, Poly::to_string),
     }
 }
 
@@ -182,7 +208,8 @@ fn field(derivation: &Derivation) -> Field {
     let mut degree = field.degree();
     let mut generators: Vec<Generator> = field.generators().iter().enumerate().map(generator).collect();
     // The root of a polynomial in the symbols is one more generator, with no value of its own.
-    if let Offset::SymbolicRadical { radicand, radical, .. } = &derivation.offset {
+    let offset = derivation.geometry.as_ref().map(|geometry| &geometry.offset);
+    if let Ok(Offset::SymbolicRadical { radicand, radical, .. }) = offset {
         degree *= 2;
         generators.push(Generator {
             symbol: radical.to_string(),
@@ -224,13 +251,4 @@ fn conditions(conditions: Option<&Conditions>, parameters: &[Variable; 2]) -> Op
 
 fn pair(degree: Bidegree) -> [i64; 2] {
     [degree.u, degree.v]
-}
-
-/// `|N|²`, as a sum of squares where it is too large to be multiplied out.
-fn norm_squared(derivation: &Derivation) -> String {
-    let squared = derivation.normal.squared_length();
-    match squared.expanded() {
-        Some(square) => square.to_string(),
-        None => squared.sum_of_squares(),
-    }
 }

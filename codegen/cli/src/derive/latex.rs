@@ -1,6 +1,6 @@
 //! Derivations as LaTeX.
 
-use hodograph_algebra::{Conditions, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{Conditions, DifferentialGeometry, Homogeneous, Offset, Poly, Variable};
 use hodograph_codegen::emit::latex;
 use hodograph_codegen::language::ast::{ClauseKind, Item};
 
@@ -42,8 +42,20 @@ fn subsection(derived: &Derived<'_>) -> String {
         let relations: Vec<String> = (0..field.generators().len()).map(relation).collect();
         text += &format!("Over the number field with ${}$.\n", relations.join("$, $"));
     }
-    text += "Normal $\\mathbf R_u \\times \\mathbf R_v = c\\,\\mathbf N$:\n";
-    let normal = &derivation.normal;
+    match &derivation.geometry {
+        Ok(geometry) => text += &differential_geometry(derived, geometry),
+        Err(exhausted) => {
+            text +=
+                &format!("Normal and offset are undetermined: {}.\n", latex::text(&exhausted.to_string()));
+        }
+    }
+    text
+}
+
+fn differential_geometry(derived: &Derived<'_>, geometry: &DifferentialGeometry) -> String {
+    let derivation = &derived.derivation;
+    let mut text = "Normal $\\mathbf R_u \\times \\mathbf R_v = c\\,\\mathbf N$:\n".to_owned();
+    let normal = &geometry.normal;
     let mut lines: Vec<(String, Vec<String>)> = ["x", "y", "z"]
         .iter()
         .zip(normal.numerator())
@@ -53,7 +65,7 @@ fn subsection(derived: &Derived<'_>) -> String {
         .collect();
     lines.push(("c".to_owned(), vec![latex::fraction(&normal.factor().lowest_terms())]));
     text += &aligned(lines);
-    match &derivation.offset {
+    match &geometry.offset {
         Offset::Rational(offset) => {
             text += &format!(
                 "Rational offset at the distance ${}$, of degree ${}$:\n",

@@ -8,7 +8,10 @@ mod text;
 
 use std::process::ExitCode;
 
-use hodograph_algebra::{Conditions, CurvatureZeros, Derivation, Offset, Poly, SweptSurface, budget};
+use hodograph_algebra::{
+    Conditions, CurvatureZeros, Derivation, DifferentialGeometry, Offset, Poly, SweptSurface, Variable,
+    budget,
+};
 use hodograph_codegen::language::Diagnostic;
 use hodograph_codegen::language::ast::Item;
 use hodograph_codegen::meaning::Model;
@@ -76,14 +79,15 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
         Err(exhausted) => return Err(failed(exhausted.to_string())),
     };
     let conditions = conditions::of(&derivation.homogeneous);
-    let offset_conditions = conditions::of_offset(&derivation.offset);
+    let geometry = derivation.geometry.as_ref();
+    let offset_conditions = geometry.ok().and_then(|geometry| conditions::of_offset(&geometry.offset));
     let curvature_zeros = curvature_zeros(&derivation, model.limit);
     Ok(Derived { item, model, derivation, conditions, offset_conditions, curvature_zeros })
 }
 
-/// Where the curvatures vanish on the domain, over the number field of the derivation; `None` with symbols, and beyond the limit.
+/// Where the curvatures vanish on the domain, over the number field of the derivation; `None` with symbols, and beyond the limit or where even the normal is.
 fn curvature_zeros(derivation: &Derivation, limit: u64) -> Option<[CurvatureZeros; 2]> {
-    if !derivation.symbols.is_empty() {
+    if !derivation.symbols.is_empty() || derivation.geometry.is_err() {
         return None;
     }
     let position = derivation.homogeneous.cartesian();
@@ -96,10 +100,14 @@ fn curvature_zeros(derivation: &Derivation, limit: u64) -> Option<[CurvatureZero
 }
 
 /// Why the offset is rational, or not, in a sentence; `show` writes polynomials.
-fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> String {
-    let reason = match &derivation.offset {
+fn offset_reason(
+    geometry: &DifferentialGeometry,
+    distance: &Variable,
+    show: impl Fn(&Poly) -> String,
+) -> String {
+    let reason = match &geometry.offset {
         Offset::Irrational { odd } => {
-            let values = derivation.normal.squared_length().member().iter();
+            let values = geometry.normal.squared_length().member().iter();
             let values: Vec<String> = values.map(|(symbol, value)| format!("{symbol} = {value}")).collect();
             let place =
                 if values.is_empty() { String::new() } else { format!(" where {}", values.join(", ")) };
@@ -111,14 +119,13 @@ fn offset_reason(derivation: &Derivation, show: impl Fn(&Poly) -> String) -> Str
                 "|N| is a polynomial over {radical} = sqrt({radicand}), which depends on the symbols alone"
             )
         }
-        _ if derivation.normal.squared_length().split().unit.is_one() => {
+        _ if geometry.normal.squared_length().split().unit.is_one() => {
             "|N|^2 is the square of a polynomial".to_owned()
         }
         _ => "|N|^2 is the square of a polynomial, times a positive number".to_owned(),
     };
-    match &derivation.orientation {
-        Some(orientation) if derivation.offset.is_rational() => {
-            let distance = &derivation.distance;
+    match &geometry.orientation {
+        Some(orientation) if geometry.offset.is_rational() => {
             format!(
                 "{reason}; {distance} is the distance where {} > 0, and -{distance} beyond",
                 show(orientation)

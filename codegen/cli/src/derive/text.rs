@@ -1,6 +1,11 @@
 //! Derivations for people.
 
-use hodograph_algebra::{Bidegree, Conditions, Derivation, Fraction, Homogeneous, Offset, Poly, Variable};
+use hodograph_algebra::{
+    Bidegree, Conditions, ControlNet, Derivation, DifferentialGeometry, Fraction, Homogeneous, Offset, Poly,
+    Variable,
+};
+
+use hodograph_algebra::budget::Exhausted;
 
 use super::conditions::{Alternative, UNDETERMINED, statements};
 use super::factors::Factors;
@@ -44,9 +49,40 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
     field(&mut page, derivation);
     page.title("Homogeneous coordinates");
     coordinates(&mut page, &derivation.homogeneous);
-    normal(&mut page, derivation);
+    match &derivation.geometry {
+        Ok(geometry) => {
+            normal(&mut page, derivation, geometry);
+            speeds(&mut page, derivation, geometry);
+            singular(&mut page, derivation, geometry);
+            curvature(&mut page, derived);
+            offset(&mut page, derived, geometry);
+        }
+        Err(exhausted) => {
+            page.title("Poles on the domain");
+            poles(&mut page, derivation);
+            undetermined(&mut page, "Normal, parametric speeds, singular locus and offset", exhausted);
+        }
+    }
+    match &derivation.control_net {
+        Ok(net) => control_net(&mut page, net),
+        Err(exhausted) => undetermined(&mut page, "Control net", exhausted),
+    }
+    if page.shortened {
+        page.title("`--format json` prints everything in full.");
+    }
+    page.text
+}
+
+/// What the budget does not suffice for.
+fn undetermined(page: &mut Page, title: &str, exhausted: &Exhausted) {
+    page.title(title);
+    page.item("undetermined: ", &exhausted.to_string());
+    page.item("", "with a larger number of units, `--budget` goes on");
+}
+
+fn speeds(page: &mut Page, derivation: &Derivation, geometry: &DifferentialGeometry) {
     page.title("Parametric speeds");
-    for (name, speed) in ["|R_u|", "|R_v|"].iter().zip(&derivation.speeds) {
+    for (name, speed) in ["|R_u|", "|R_v|"].iter().zip(&geometry.speeds) {
         let (function, value) = match &speed.root {
             Some(root) if speed.certified || root.is_zero() => ("", root.clone()),
             Some(root) => ("abs", root.clone()),
@@ -63,14 +99,6 @@ pub(super) fn output(derived: &Derived<'_>) -> String {
         let value = if function.is_empty() { value } else { format!("{function}({value})") };
         page.item(&format!("{name} = "), &value);
     }
-    singular(&mut page, derivation);
-    curvature(&mut page, derived);
-    offset(&mut page, derived);
-    control_net(&mut page, derivation);
-    if page.shortened {
-        page.title("`--format json` prints everything in full.");
-    }
-    page.text
 }
 
 /// Lines of text, and whether something in them was cut.
@@ -168,8 +196,8 @@ fn coordinates(page: &mut Page, homogeneous: &Homogeneous) {
     }
 }
 
-fn normal(page: &mut Page, derivation: &Derivation) {
-    let normal = &derivation.normal;
+fn normal(page: &mut Page, derivation: &Derivation, geometry: &DifferentialGeometry) {
+    let normal = &geometry.normal;
     page.title("Normal: R_u x R_v = c*N");
     for (name, component) in ["N_x", "N_y", "N_z"].iter().zip(normal.numerator()) {
         page.product(&format!("{name} = "), &Factors::of(component, &derivation.parameters));
@@ -187,25 +215,31 @@ fn normal(page: &mut Page, derivation: &Derivation) {
     page.product(&name, &Factors { unit: split.unit.clone(), factors });
 }
 
-fn singular(page: &mut Page, derivation: &Derivation) {
-    page.title("Singular locus on the domain");
-    page.poly("factor = ", &derivation.singular.factor);
+fn poles(page: &mut Page, derivation: &Derivation) {
     match &derivation.poles {
-        Some(poles) if poles.is_empty() => {}
+        Some(poles) if poles.is_empty() => page.item("", "there are no poles"),
         Some(poles) => page.item("poles where W = 0: ", &cut(&poles.to_string(), LONGEST)),
         None => page.item(
             "",
             "poles undetermined: they depend on symbols, or need more than their share of the budget",
         ),
     }
-    if derivation.singular_zeros.is_empty() {
+}
+
+fn singular(page: &mut Page, derivation: &Derivation, geometry: &DifferentialGeometry) {
+    page.title("Singular locus on the domain");
+    page.poly("factor = ", &geometry.singular.factor);
+    if derivation.poles.as_ref().is_none_or(|poles| !poles.is_empty()) {
+        poles(page, derivation);
+    }
+    if geometry.singular_zeros.is_empty() {
         let poles = derivation.poles.as_ref().is_none_or(|poles| !poles.is_empty());
         page.item(
             "",
             if poles { "there is a normal everywhere but at poles" } else { "there is a normal everywhere" },
         );
     }
-    for zero in &derivation.singular_zeros {
+    for zero in &geometry.singular_zeros {
         page.shortened |= zero.len() > LONGEST;
         // What is not determined is no equation.
         let first = if zero.contains('=') { "no normal where " } else { "" };
@@ -221,12 +255,12 @@ fn curvature(page: &mut Page, derived: &Derived<'_>) {
     page.item("H = 0 ", &cut(&mean.to_string(), LONGEST));
 }
 
-fn offset(page: &mut Page, derived: &Derived<'_>) {
+fn offset(page: &mut Page, derived: &Derived<'_>, geometry: &DifferentialGeometry) {
     let derivation = &derived.derivation;
     page.title(&format!("Offset at the distance {}", derivation.distance));
-    let answer = if derivation.offset.is_rational() { "rational: " } else { "not rational: " };
-    page.item(answer, &offset_reason(derivation, polynomial));
-    if let Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } = &derivation.offset {
+    let answer = if geometry.offset.is_rational() { "rational: " } else { "not rational: " };
+    page.item(answer, &offset_reason(geometry, &derivation.distance, polynomial));
+    if let Offset::Rational(offset) | Offset::SymbolicRadical { surface: offset, .. } = &geometry.offset {
         page.item("degrees ", &format!("{}, patch {}", named(offset.degrees()), offset.degree()));
         conditions(page, derived.offset_conditions.as_ref(), &derivation.parameters);
         coordinates(page, offset);
@@ -295,8 +329,7 @@ fn shown(page: &mut Page, poly: &Poly) -> String {
     polynomial(poly)
 }
 
-fn control_net(page: &mut Page, derivation: &Derivation) {
-    let net = &derivation.control_net;
+fn control_net(page: &mut Page, net: &ControlNet) {
     let [m, n] = net.degree;
     page.title(&format!("Control net of degree ({m}, {n}), points (W, X, Y, Z) over the domain"));
     for (i, row) in net.points.iter().enumerate() {
