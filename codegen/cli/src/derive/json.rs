@@ -11,7 +11,7 @@
 //! distance is one more symbol.
 //!
 //! Where the budget does not suffice, `normal`, `speeds`, `singular` and `offset` are `null`, or `control_net` is, and `undetermined`
-//! lists how far these computations came; else it is `[]`.
+//! lists how far these computations came; else it is absent.
 //!
 //! The square root of a polynomial in the symbols, in offsets, is a generator whose `approximation` is `null`.
 
@@ -47,6 +47,7 @@ struct Sweep<'a> {
     singular: Option<Singular<'a>>,
     offset: Option<OffsetSurface>,
     /// Why some are `null`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     undetermined: Vec<String>,
     control_net: Option<Net>,
 }
