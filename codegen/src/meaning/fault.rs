@@ -140,7 +140,7 @@ impl Fault {
     /// Work beyond the budget.
     pub(super) fn exhausted(span: Span, error: &Exhausted) -> Fault {
         let fault = Fault::new(span, error.to_string());
-        fault.help("use smaller degrees, fewer symbols, or simpler numbers").undecidable()
+        fault.help("use smaller degrees, fewer symbols, or simpler numbers, or give the command a larger `--budget`").undecidable()
     }
 
     /// The same for something that exists, but cannot be decided here.
