@@ -166,3 +166,48 @@ fn parametric_speeds_are_checked() {
     assert_eq!(new(-1.0).unwrap_err(), ParameterError::Speed);
     assert!(new(-0.499).is_ok());
 }
+
+hodograph::sweep! {
+    /// A family of planes, of which the normal depends on the symbol alone.
+    sweep tilted {
+        symbol a;
+        surface R = (u, v, a*u);
+        domain u in 0..1, v in 0..1;
+    }
+}
+
+hodograph::sweep! {
+    /// The same where the symbol is a divisor, so that the derivative of a coordinate is one of its factors.
+    sweep divided {
+        symbol a;
+        surface R = (u, v, u/a);
+        domain u in 0..1, v in 0..1;
+    }
+}
+
+hodograph::sweep! {
+    /// A family of cylinders that is singular for a = 0.
+    sweep cylinder {
+        symbol a;
+        surface R = (a*u, a*u^2, v);
+        domain u in 0..1, v in 0..1;
+    }
+}
+
+#[test]
+fn normals_may_depend_on_symbols_alone() {
+    fn is_near<const N: usize>(found: Result<[f64; N], Undefined>, expected: [f64; N]) -> bool {
+        found.is_ok_and(|found| found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= f64::EPSILON))
+    }
+    let plane = tilted::Tilted::new(tilted::Parameters { a: 0.75 }).unwrap();
+    assert!(is_near(plane.unit_normal(0.25, 0.5), [-0.6, 0.0, 0.8]));
+    let other = divided::Divided::new(divided::Parameters { a: 4.0 / 3.0 }).unwrap();
+    assert!(is_near(other.point(0.5, 0.25), [0.5, 0.25, 0.375]));
+    assert!(is_near(other.unit_normal(0.25, 0.5), [-0.6, 0.0, 0.8]));
+    for sign in [1.0, -1.0] {
+        let cylinder = cylinder::Cylinder::new(cylinder::Parameters { a: 2.0 * sign }).unwrap();
+        assert!(is_near(cylinder.unit_normal(0.375, 0.5), [0.6 * sign, -0.8 * sign, 0.0]));
+    }
+    let degenerate = cylinder::Cylinder::new(cylinder::Parameters { a: 0.0 }).unwrap();
+    assert_eq!(degenerate.unit_normal(0.375, 0.5), Err(Undefined::Singular));
+}

@@ -1,7 +1,9 @@
-//! Families of surfaces, whose coefficients are set at run time: what is checked of them.
+//! Families of surfaces, whose coefficients are set at run time: what is checked of them, and functions of their
+//! coefficients.
 
 use core::fmt;
 
+use crate::real::{Plain, Real, Rounded};
 use crate::surface::Domain;
 
 /// Why a surface of a family cannot be made of the given parameters.
@@ -44,6 +46,38 @@ impl fmt::Display for ParameterError {
 }
 
 impl core::error::Error for ParameterError {}
+
+/// √x of a coefficient.
+///
+/// ```
+/// assert_eq!(hodograph::family::root(6.25), 2.5);
+/// ```
+#[must_use]
+pub fn root(x: f64) -> f64 {
+    Plain::new(x).sqrt().value()
+}
+
+/// [`Real::orient`] of a coefficient.
+///
+/// ```
+/// use hodograph::family::orient;
+/// assert_eq!((orient(2.0, 3.0), orient(2.0, -1.0)), (2.0, -2.0));
+/// assert!(orient(2.0, 0.0).is_nan());
+/// ```
+#[must_use]
+pub fn orient(x: f64, by: f64) -> f64 {
+    Plain::new(x).orient(Plain::new(by)).value()
+}
+
+/// [`Real::scale`] of coefficients.
+///
+/// ```
+/// assert_eq!(hodograph::family::scale(0.0, -8.0, 1.0), 0.125);
+/// ```
+#[must_use]
+pub fn scale(a: f64, b: f64, c: f64) -> f64 {
+    Plain::scale(Plain::new(a), Plain::new(b), Plain::new(c)).value()
+}
 
 /// Checks the values of a parameter.
 ///

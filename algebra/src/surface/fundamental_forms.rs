@@ -48,6 +48,7 @@ pub struct FundamentalForms {
     mean: Fraction,
     /// `k = [N N_u N_v]`.
     gaussian: Poly,
+    weight: Poly,
     parameters: [Variable; 2],
     domain: [Interval; 2],
 }
@@ -138,7 +139,8 @@ impl FundamentalForms {
             (mean.reduced(), dot(&by_u, &turn[1]))
         });
         let domain = surface.domain().clone();
-        Some(FundamentalForms { normal, along, turn, mean, gaussian, parameters, domain })
+        let weight = surface.homogeneous().coordinates()[0].clone();
+        Some(FundamentalForms { normal, along, turn, mean, gaussian, weight, parameters, domain })
     }
 
     /// The normal.
@@ -147,14 +149,34 @@ impl FundamentalForms {
         &self.normal
     }
 
-    /// A polynomial whose zeros are the planar and parabolic points, where `K = 0`, besides points where the surface has no normal.
-    pub(super) fn gaussian_numerator(&self) -> &Poly {
-        &self.gaussian
+    /// `K = k/(f·|N|⁴)` and `H = h/(2f·|N|³)`, the latter without the number and the square root in it, which is positive: both vanish
+    /// where these do.
+    ///
+    /// # Errors
+    /// [`FormError::TooLarge`].
+    pub(super) fn curvatures(&self) -> Result<[Fraction; 2], FormError> {
+        let over_factor = |part: &Fraction| {
+            let known: Vec<Poly> = part.factors().iter().map(|(factor, _)| factor.clone()).collect();
+            let inverse = self.normal.factor().reciprocal(&known).ok_or(FormError::TooLarge)?;
+            Ok::<Fraction, FormError>(part.reduced_product(&inverse.reduced()))
+        };
+        let gaussian = over_factor(&self.gaussian.clone().into())?.reduced_product(&self.squared_length(-2)?);
+        // 1/|N| is a multiple of the root of the odd factor by the inverse of that and of the root.
+        let split = self.normal.squared_length().split();
+        let parts = [(split.root.clone(), 1), (split.odd.clone(), 1)];
+        let inverse = Fraction::new(Poly::one(), parts.into_iter().filter(|(part, _)| !part.is_constant()));
+        let mean = over_factor(&self.mean)?.reduced_product(&self.squared_length(-1)?);
+        Ok([gaussian, mean.reduced_product(&inverse)])
     }
 
-    /// A polynomial whose zeros are the points where `H = 0`, besides points where the surface has no normal.
-    pub(super) fn mean_numerator(&self) -> Poly {
-        self.mean.lowest_terms().numerator().clone()
+    /// Whether the Gaussian and the mean curvature vanish everywhere.
+    pub(super) fn are_zero(&self) -> [bool; 2] {
+        [self.gaussian.is_zero(), self.mean.is_zero()]
+    }
+
+    /// The weight of the surface.
+    pub(super) fn weight(&self) -> &Poly {
+        &self.weight
     }
 
     /// The parameters with their intervals.

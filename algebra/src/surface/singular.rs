@@ -152,13 +152,8 @@ impl Normal {
             return None;
         }
         let zeros = budget::with_budget(limit, || {
-            let mut factor = self.factor().lowest_terms().numerator().primitive();
-            let mut common = factor.gcd(weight);
-            while !common.is_constant() {
-                factor = factor.exact_div(&common)?;
-                common = factor.gcd(&common);
-            }
-            factor.zeros_on(&region)
+            let factor = self.factor().lowest_terms().numerator().primitive();
+            without_factors_of(factor, weight)?.zeros_on(&region)
         });
         Some(zeros.ok().flatten()?.without_zeros_of(weight))
     }
@@ -210,6 +205,16 @@ impl Normal {
         };
         Some(zeros.without_zeros_of(weight))
     }
+}
+
+/// A polynomial without all that it has in common with another one.
+pub(super) fn without_factors_of(mut poly: Poly, other: &Poly) -> Option<Poly> {
+    let mut common = poly.gcd(other);
+    while !common.is_constant() {
+        poly = poly.exact_div(&common)?;
+        common = poly.gcd(&common);
+    }
+    Some(poly)
 }
 
 fn region(parameters: &[Variable; 2], domain: &[Interval; 2]) -> Vec<(Variable, Interval)> {

@@ -83,6 +83,14 @@ impl Writer<'_> {
                 let a = self.within(a, Binding::Atom);
                 (quote! { -#a }, Binding::Sign)
             }
+            // Floats have none of these by themselves, not even roots where there is no standard library.
+            Expression::Root(a) if self.mode == Mode::Plain => {
+                self.of_floats("root", std::slice::from_ref(a))
+            }
+            Expression::Orient(operands) if self.mode == Mode::Plain => {
+                self.of_floats("orient", &operands[..])
+            }
+            Expression::Scale(operands) if self.mode == Mode::Plain => self.of_floats("scale", &operands[..]),
             Expression::Root(a) => {
                 let a = self.within(a, Binding::Atom);
                 (quote! { #a.sqrt() }, Binding::Atom)
@@ -117,6 +125,13 @@ impl Writer<'_> {
                 (horner, Binding::Atom)
             }
         }
+    }
+
+    /// A call of a function of floats of the runtime.
+    fn of_floats(&self, name: &str, operands: &[Expression]) -> (TokenStream, Binding) {
+        let (runtime, name) = (self.code.runtime, Ident::new(name, Span::call_site()));
+        let operands = operands.iter().map(|operand| self.write(operand).0);
+        (quote! { #runtime::family::#name(#(#operands),*) }, Binding::Atom)
     }
 
     /// a + b

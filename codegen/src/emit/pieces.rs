@@ -95,7 +95,7 @@ impl<'a> Whole<'a> {
 /// The module of the whole.
 fn whole_module(whole: Whole<'_>, runtime: &TokenStream) -> TokenStream {
     let Whole { name, pieces } = whole;
-    let lines = documentation::of_pieces(whole, |piece| format!("[`{piece}`](super::{piece})"));
+    let lines = documentation::of_pieces(whole, |piece| format!("[`{piece}`]"));
     let docs = doc(lines.iter().map(String::as_str));
     let (module, surface) =
         (Ident::new(name, Span::call_site()), Ident::new(&camel_case(name), Span::call_site()));

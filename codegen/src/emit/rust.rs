@@ -35,8 +35,8 @@ pub fn module(artifact: &Artifact, runtime: &TokenStream) -> TokenStream {
 
 /// The lints that generated code does not keep; the names of sweeps and symbols are their author's.
 pub(super) fn allowed<'a>(names: impl IntoIterator<Item = &'a str>) -> TokenStream {
-    let capital = names.into_iter().any(|name| name.contains(char::is_uppercase));
-    let names = capital.then(|| quote! { #[allow(non_snake_case)] });
+    let unusual = names.into_iter().any(|name| name.contains(char::is_uppercase) || name.contains("__"));
+    let names = unusual.then(|| quote! { #[allow(non_snake_case)] });
     quote! {
         #[allow(
             clippy::approx_constant,

@@ -53,8 +53,9 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
         }
         return;
     }
-    // The generated code names the package, and its type cannot be called `Self`.
-    if ["hodograph", "self_"].contains(&item.name.value.as_str()) {
+    // The generated code names the package, and its type, which is called as the sweep but without underscores, cannot be `Self`.
+    let first = item.name.value.chars().find(|letter| *letter != '_');
+    if ["hodograph", "self_"].contains(&item.name.value.as_str()) || !first.is_some_and(char::is_alphabetic) {
         let wrong =
             Diagnostic::new(item.name.span, format!("no code can be generated for a sweep called `{name}`"));
         diagnostics.push(wrong.help("use another name"));

@@ -123,12 +123,30 @@ impl<'a> Derivatives<'a> {
             // What needs no division is a letter itself.
             if let (true, &[of], &[derivative]) = (proved, &*value.factors, &*slope.factors)
                 && self.divided[derivative.index()]
+                && !self.needs(of, derivative, stage)
             {
                 self.slopes.insert((stage, derivative), (value.negative != slope.negative, of));
             }
         }
         self.known.insert(key, proved);
         proved
+    }
+
+    /// Whether one value is computed from another, or is a derivative of one that is: that of a multiple of the parameter is the number
+    /// which it is the multiple by, and is no derivative for the rules then.
+    fn needs(&self, value: Value, other: Value, stage: Stage) -> bool {
+        let mut open = vec![value];
+        let mut seen = BTreeSet::new();
+        while let Some(value) = open.pop() {
+            if value == other {
+                return true;
+            }
+            if self.divided[value.index()] && seen.insert(value) {
+                open.extend(self.numbers.program().operation(value).operands());
+                open.extend(self.slopes.get(&(stage, value)).map(|(_, of)| *of));
+            }
+        }
+        false
     }
 
     /// Whether the sum of the derivatives of the first products is the sum of the second ones.

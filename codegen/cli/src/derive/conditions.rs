@@ -39,17 +39,17 @@ impl Alternative {
     }
 }
 
-/// The conditions of a surface, if the budget suffices.
-pub(super) fn of(surface: &Homogeneous) -> Option<Conditions> {
-    budget::with_budget(Conditions::BUDGET, || Conditions::of(surface)).ok()
+/// The conditions of a surface, if their share of the budget suffices.
+pub(super) fn of(surface: &Homogeneous, limit: u64) -> Option<Conditions> {
+    budget::with_budget(limit.min(Conditions::BUDGET), || Conditions::of(surface)).ok()
 }
 
 /// The conditions of the offset, if it has coordinates and the budget suffices.
-pub(super) fn of_offset(offset: &Offset) -> Option<Conditions> {
+pub(super) fn of_offset(offset: &Offset, limit: u64) -> Option<Conditions> {
     match offset {
-        Offset::Rational(surface) => of(surface),
+        Offset::Rational(surface) => of(surface, limit),
         Offset::SymbolicRadical { radicand, radical, surface } => {
-            let mut conditions = of(surface)?;
+            let mut conditions = of(surface, limit)?;
             let root = Poly::variable(radical);
             let loci = conditions.coordinates.iter_mut().flatten().chain(&mut conditions.patch);
             let exceptions = conditions.common_factors.iter_mut().map(|common| &mut common.except);

@@ -78,9 +78,10 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
         Ok(Err(error)) => return Err(failed(error.to_string())),
         Err(exhausted) => return Err(failed(exhausted.to_string())),
     };
-    let conditions = conditions::of(&derivation.homogeneous);
+    let conditions = conditions::of(&derivation.homogeneous, model.limit);
     let geometry = derivation.geometry.as_ref();
-    let offset_conditions = geometry.ok().and_then(|geometry| conditions::of_offset(&geometry.offset));
+    let offset_conditions =
+        geometry.ok().and_then(|geometry| conditions::of_offset(&geometry.offset, model.limit));
     let curvature_zeros = curvature_zeros(&derivation, model.limit);
     Ok(Derived { item, model, derivation, conditions, offset_conditions, curvature_zeros })
 }

@@ -139,7 +139,7 @@ fn surface(text: &mut String, artifact: &Artifact) {
 fn section(text: &mut String, name: &str, documentation: &[String], content: &str) {
     text.push_str("\n/*\n");
     for line in documentation {
-        let line = line.replace("*/", "* /");
+        let line = line.replace("*/", "* /").replace("/*", "/ *");
         _ = writeln!(text, " *{}{}", if line.is_empty() { "" } else { " " }, line);
     }
     _ = write!(
