@@ -17,14 +17,14 @@ const BUDGET: u64 = 3_000_000;
 /// A polynomial as a sum of monomials with their coefficients in the field, such as `(sqrt2 + 1)*u^2 + 3`; of a very long
 /// one the first monomials and the number of all.
 pub fn polynomial(poly: &Poly, longest: usize) -> String {
-    let monomials = monomials(poly);
+    let monomials = monomials(poly, longest);
     if monomials.iter().map(String::len).sum::<usize>() <= longest {
         return monomials.concat();
     }
     let mut text = String::new();
     for monomial in &monomials {
         if text.len() + monomial.len() > longest && !text.is_empty() {
-            return format!("{text} + … ({} monomials)", monomials.len());
+            return format!("{text} + … ({} monomials)", poly.monomial_count());
         }
         text += monomial;
     }
@@ -33,7 +33,7 @@ pub fn polynomial(poly: &Poly, longest: usize) -> String {
 
 /// Whether [`polynomial`] prints the whole of it.
 pub fn is_short(poly: &Poly, longest: usize) -> bool {
-    monomials(poly).iter().map(String::len).sum::<usize>() <= longest
+    monomials(poly, longest).iter().map(String::len).sum::<usize>() <= longest
 }
 
 /// A product of a number and of powers of polynomials, as a formula.
@@ -131,47 +131,73 @@ pub fn grouped(formula: &str) -> String {
     formula.to_owned()
 }
 
-/// The monomials in the variables, each with its coefficient and the sign before it.
-fn monomials(poly: &Poly) -> Vec<String> {
+/// The first monomials in the variables, each with its coefficient and the sign before it: all that have this length together, and
+/// one more, but two at least.
+fn monomials(poly: &Poly, longest: usize) -> Vec<String> {
     let variables = poly.occurring_variables();
     if variables.is_empty() {
         return vec![poly.to_string()];
     }
-    let mut signed = Vec::new();
-    for (exponents, coefficient) in
-        poly.coefficients_of(&variables).iter().rev().filter(|(_, c)| !c.is_zero())
-    {
-        let powers = variables.iter().zip(exponents).filter(|(_, exponent)| **exponent > 0);
-        // Symbols before parameters, as polynomials print.
-        let (symbols, parameters): (Vec<_>, Vec<_>) = powers.partition(|(v, _)| v.rank() >= Variable::SYMBOL);
-        let power = |(variable, exponent): (&Variable, &u32)| match exponent {
-            1 => variable.to_string(),
-            _ => format!("{variable}^{exponent}"),
-        };
-        let monomial = symbols.into_iter().chain(parameters).map(power).collect::<Vec<_>>().join("*");
-        let text = coefficient.to_string();
-        let (sign, factor) = match coefficient.terms() {
-            [_] => text.strip_prefix('-').map_or(("+", text.clone()), |rest| ("-", rest.to_owned())),
-            _ if monomial.is_empty() => ("+", text.clone()),
-            _ => ("+", format!("({text})")),
-        };
-        let term = match (factor.as_str(), monomial.as_str()) {
-            (_, "") => factor,
-            ("1", _) => monomial,
-            _ => format!("{factor}*{monomial}"),
-        };
-        // A coefficient without a monomial is a sum that continues this one.
-        signed.push(match (signed.is_empty(), sign) {
-            (true, "+") => term,
-            (true, _) => format!("-{term}"),
-            (false, "+") => match term.strip_prefix('-') {
-                Some(rest) => format!(" - {rest}"),
-                None => format!(" + {term}"),
-            },
-            (false, _) => format!(" - {term}"),
-        });
-    }
+    let (mut signed, mut length) = (Vec::new(), 0);
+    visit(poly, &variables, &mut Vec::new(), &mut |exponents, coefficient| {
+        let text = monomial(&variables, exponents, coefficient, signed.is_empty());
+        length += text.len();
+        signed.push(text);
+        length <= longest || signed.len() < 2
+    });
     signed
+}
+
+/// Calls a function with the exponents and the coefficient of each monomial, from the highest one on, as long as it returns true.
+fn visit(
+    poly: &Poly,
+    variables: &[Variable],
+    exponents: &mut Vec<u32>,
+    call: &mut dyn FnMut(&[u32], &Poly) -> bool,
+) -> bool {
+    let Some((first, rest)) = variables.split_first() else {
+        return poly.is_zero() || call(exponents, poly);
+    };
+    let coefficients = poly.coefficients(first);
+    coefficients.iter().enumerate().rev().all(|(exponent, coefficient)| {
+        exponents.push(exponent as u32);
+        let goes_on = coefficient.is_zero() || visit(coefficient, rest, exponents, call);
+        exponents.pop();
+        goes_on
+    })
+}
+
+/// A monomial with its coefficient, and its sign unless it is the first.
+fn monomial(variables: &[Variable], exponents: &[u32], coefficient: &Poly, is_first: bool) -> String {
+    let powers = variables.iter().zip(exponents).filter(|(_, exponent)| **exponent > 0);
+    // Symbols before parameters, as polynomials print.
+    let (symbols, parameters): (Vec<_>, Vec<_>) = powers.partition(|(v, _)| v.rank() >= Variable::SYMBOL);
+    let power = |(variable, exponent): (&Variable, &u32)| match exponent {
+        1 => variable.to_string(),
+        _ => format!("{variable}^{exponent}"),
+    };
+    let monomial = symbols.into_iter().chain(parameters).map(power).collect::<Vec<_>>().join("*");
+    let text = coefficient.to_string();
+    let (sign, factor) = match coefficient.terms() {
+        [_] => text.strip_prefix('-').map_or(("+", text.clone()), |rest| ("-", rest.to_owned())),
+        _ if monomial.is_empty() => ("+", text.clone()),
+        _ => ("+", format!("({text})")),
+    };
+    let term = match (factor.as_str(), monomial.as_str()) {
+        (_, "") => factor,
+        ("1", _) => monomial,
+        _ => format!("{factor}*{monomial}"),
+    };
+    // A coefficient without a monomial is a sum that continues this one.
+    match (is_first, sign) {
+        (true, "+") => term,
+        (true, _) => format!("-{term}"),
+        (false, "+") => match term.strip_prefix('-') {
+            Some(rest) => format!(" - {rest}"),
+            None => format!(" + {term}"),
+        },
+        (false, _) => format!(" - {term}"),
+    }
 }
 
 fn parenthesized(poly: &Poly, longest: usize) -> String {

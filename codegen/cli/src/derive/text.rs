@@ -312,7 +312,9 @@ fn alternative_text(page: &mut Page, alternative: &Alternative) -> String {
 fn together(page: &mut Page, equations: &[Poly]) -> String {
     let mut text = String::new();
     for (number, poly) in equations.iter().enumerate() {
-        if number > 0 && text.len() + poly.to_string().len() > LONGEST_CONDITION {
+        if number > 0
+            && (text.len() > LONGEST_CONDITION || text.len() + poly.to_string().len() > LONGEST_CONDITION)
+        {
             page.shortened = true;
             return format!("{text} and … ({} equations)", equations.len());
         }
