@@ -433,6 +433,13 @@ pub enum RelationOperator {
     GreaterEqual,
 }
 
+impl RelationOperator {
+    /// Whether the left side is to be the lesser one, `<` or `<=`.
+    pub(crate) fn is_less(self) -> bool {
+        matches!(self, RelationOperator::Less | RelationOperator::LessEqual)
+    }
+}
+
 impl Expr {
     /// An expression at a place.
     pub fn new(kind: ExprKind, span: Span) -> Expr {

@@ -384,4 +384,10 @@ mod tests {
         let rust: syn::LitStr = syn::parse_str(text).expect("a string of Rust");
         assert_eq!(kinds(text), [TokenKind::Str(rust.value())]);
     }
+
+    #[test]
+    fn strings_resolve_the_escapes_of_json() {
+        let text = r#""1\/2 \u0031\u00e9\ud83d\ude00\b\f""#;
+        assert_eq!(kinds(text), [TokenKind::Str("1/2 1é😀\u{8}\u{c}".into())]);
+    }
 }

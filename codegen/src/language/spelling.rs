@@ -172,17 +172,29 @@ pub(super) fn string(body: &str, span: Span) -> (TokenKind, Option<Diagnostic>) 
     (TokenKind::Str(text), wrong)
 }
 
-/// The character that an escape of Rust stands for, `rest` being what follows the backslash.
+/// The character that an escape of Rust or JSON stands for, `rest` being what follows the backslash.
 fn escaped(rest: &mut std::str::Chars<'_>) -> Option<char> {
     Some(match rest.next()? {
         'n' => '\n',
         'r' => '\r',
         't' => '\t',
         '0' => '\0',
-        quoted @ ('\\' | '\'' | '"') => quoted,
+        'b' => '\u{8}',
+        'f' => '\u{c}',
+        quoted @ ('\\' | '\'' | '"' | '/') => quoted,
         'x' => {
             let digits: String = rest.by_ref().take(2).collect();
             char::from(u8::from_str_radix(&digits, 16).ok().filter(u8::is_ascii)?)
+        }
+        'u' if !rest.as_str().starts_with('{') => {
+            let first = unit(rest)?;
+            let is_first = (0xd800..0xdc00).contains(&first);
+            let mut second = None;
+            if let Some(after) = rest.as_str().strip_prefix("\\u").filter(|_| is_first) {
+                *rest = after.chars();
+                second = Some(unit(rest)?);
+            }
+            char::decode_utf16(std::iter::once(first).chain(second)).next()?.ok()?
         }
         'u' => {
             let after = rest.as_str().strip_prefix('{')?;
@@ -192,6 +204,14 @@ fn escaped(rest: &mut std::str::Chars<'_>) -> Option<char> {
         }
         _ => return None,
     })
+}
+
+/// Four hexadecimal digits, as JSON writes a unit of UTF-16.
+fn unit(rest: &mut std::str::Chars<'_>) -> Option<u16> {
+    let digits =
+        rest.as_str().get(..4).filter(|digits| digits.bytes().all(|digit| digit.is_ascii_hexdigit()))?;
+    *rest = rest.as_str()[4..].chars();
+    u16::from_str_radix(digits, 16).ok()
 }
 
 /// Rust's other kinds of strings and characters: `r"…"`, `b"…"`, `'c'`.

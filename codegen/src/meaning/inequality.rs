@@ -18,13 +18,28 @@ pub(super) fn inequality(
     strict: bool,
     span: Span,
 ) -> Result<Finding, Fault> {
+    sign(scope, value, strict, false, span)
+}
+
+/// The same, told of `-value` if `minus`: what is found of a < b is told of a − b, as what is found of a > b is.
+pub(super) fn sign(
+    scope: &Scope,
+    value: &Fraction,
+    strict: bool,
+    minus: bool,
+    span: Span,
+) -> Result<Finding, Fault> {
+    let [positive, negative] = if minus { ["negative", "positive"] } else { ["positive", "negative"] };
     let value = value.lowest_terms();
     if let Some(number) = value.to_number() {
         let sign = number.sign();
         let holds = sign.is_gt() || (!strict && sign.is_eq());
         return Ok(Finding::new(
             holds,
-            format!("the difference to zero is {}", shortened(&number.to_string())),
+            format!(
+                "the difference to zero is {}",
+                shortened(&if minus { -&number } else { number }.to_string())
+            ),
         ));
     }
     let variables = value.occurring_variables();
@@ -53,26 +68,26 @@ pub(super) fn inequality(
     // Even powers of the denominator do not matter for the sign.
     let odd = value.factors().iter().filter(|(_, exponent)| exponent % 2 == 1);
     let signed = odd.fold(value.numerator().clone(), |product, (factor, _)| product * factor);
-    let Some(sign) = signed.sign_on(&domain) else {
+    let Some(box_sign) = signed.sign_on(&domain) else {
         return Ok(Finding::undecided("the sign cannot be determined").about([&value]));
     };
     let corner = || Some(witness::corner(&domain));
-    let (finding, at) = match &sign {
-        BoxSign::Positive => (Finding::new(true, "positive on the whole domain"), None),
-        BoxSign::Negative => (Finding::new(false, "negative on the whole domain"), corner()),
+    let (finding, at) = match &box_sign {
+        BoxSign::Positive => (Finding::new(true, format!("{positive} on the whole domain")), None),
+        BoxSign::Negative => (Finding::new(false, format!("{negative} on the whole domain")), corner()),
         BoxSign::Zero => (Finding::new(!strict, "zero everywhere"), corner()),
         BoxSign::NonNegative { zeros } if !strict => {
-            (Finding::new(true, format!("not negative; zeros: {zeros}")), None)
+            (Finding::new(true, format!("not {negative}; zeros: {zeros}")), None)
         }
         BoxSign::NonNegative { zeros } if zeros.is_empty() => {
-            (Finding::new(true, "positive on the whole domain"), None)
+            (Finding::new(true, format!("{positive} on the whole domain")), None)
         }
         BoxSign::NonNegative { zeros } if zeros.is_complete() => {
-            let finding = Finding::new(false, format!("not negative, with zeros: {zeros}"));
+            let finding = Finding::new(false, format!("not {negative}, with zeros: {zeros}"));
             (finding, zeros.witness(&domain))
         }
         BoxSign::NonPositive { zeros } => {
-            let finding = Finding::new(false, format!("not positive; zeros: {zeros}"));
+            let finding = Finding::new(false, format!("not {positive}; zeros: {zeros}"));
             (finding, witness::negative(&signed, &domain))
         }
         BoxSign::ChangesSign { negative, .. } => {
@@ -84,7 +99,13 @@ pub(super) fn inequality(
         _ => (Finding::undecided("subdivision reached its limit before the sign was decided"), None),
     };
     let finding = finding.with_witness(at.as_ref().map(witness::point)).about([&value]);
-    Ok(finding.with_evidence(Evidence::Sign { function: value, polynomial: signed, domain, sign, at }))
+    Ok(finding.with_evidence(Evidence::Sign {
+        function: value,
+        polynomial: signed,
+        domain,
+        sign: box_sign,
+        at,
+    }))
 }
 
 /// What is undecided of a sum of a rational function and a root.

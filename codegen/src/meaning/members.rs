@@ -65,7 +65,8 @@ pub(super) fn member(scope: &Scope, span: Span, object: &Expr, member: &Name) ->
             (_, Some(_)) => Err(no_member(member, "a vector", &["x", "y", "z"])),
             _ => {
                 let message = format!("{} has no members", other.kind());
-                Err(Fault::new(member.span, message).help("curves, vectors and surfaces have"))
+                Err(Fault::new(member.span, message)
+                    .help("curves, vectors of rational functions and surfaces have members"))
             }
         },
     }

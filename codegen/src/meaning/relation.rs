@@ -6,7 +6,7 @@ use super::assumptions::Assumptions;
 use super::expression::shortened;
 use super::fault::Fault;
 use super::finding::{Evidence, Finding};
-use super::inequality::{TWO_PARTS, approx, inequality, signed};
+use super::inequality::{TWO_PARTS, approx, inequality, sign, signed};
 use super::rationality::{is_pn, is_rational};
 use super::value::Value;
 use super::witness;
@@ -156,19 +156,15 @@ fn compare(
         RelationOperator::NotEqual => return Ok(equality(assumptions, left, &a, right, &b)?.negated()),
         _ => {}
     }
+    let strict = matches!(operator, RelationOperator::Less | RelationOperator::Greater);
     if roots::concern(&a, &b) {
         let span = left.span().to(right.span());
-        let (more, less, strict) = match operator {
-            RelationOperator::Less => (&b, &a, true),
-            RelationOperator::Greater => (&a, &b, true),
-            RelationOperator::GreaterEqual => (&a, &b, false),
-            _ => (&b, &a, false),
-        };
+        let (more, less) = if operator.is_less() { (&b, &a) } else { (&a, &b) };
         let Some(difference) = roots::sum(more, less, true, span)? else {
             return Err(Fault::new(span, "an inequality compares scalars"));
         };
         return match signed(scope, left, &difference, "a side of an inequality")? {
-            Some(value) => inequality(scope, &value, strict, span),
+            Some(value) => sign(scope, &value, strict, operator.is_less(), span),
             None => Ok(Finding::undecided(TWO_PARTS)),
         };
     }
@@ -178,13 +174,8 @@ fn compare(
         })
     };
     let (a, b) = (side(&a, left)?, side(&b, right)?);
-    let (difference, strict) = match operator {
-        RelationOperator::Less => (&b - &a, true),
-        RelationOperator::Greater => (&a - &b, true),
-        RelationOperator::GreaterEqual => (&a - &b, false),
-        _ => (&b - &a, false),
-    };
-    inequality(scope, &difference, strict, left.span().to(right.span()))
+    let difference = if operator.is_less() { &b - &a } else { &a - &b };
+    sign(scope, &difference, strict, operator.is_less(), left.span().to(right.span()))
 }
 
 /// The degrees that a pair or an integer states.

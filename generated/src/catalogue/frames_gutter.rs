@@ -11099,9 +11099,9 @@ pub mod frames_gutter_3 {
 ///
 /// | piece | v | degree |
 /// | --- | --- | --- |
-/// | [`frames_gutter_1`](super::frames_gutter_1) | from 0.0 to 1.0 | (2, 15) |
-/// | [`frames_gutter_2`](super::frames_gutter_2) | from 1.0 to 2.0 | (2, 15) |
-/// | [`frames_gutter_3`](super::frames_gutter_3) | from 2.0 to 3.0 | (2, 15) |
+/// | [`frames_gutter_1`] | from 0.0 to 1.0 | (2, 15) |
+/// | [`frames_gutter_2`] | from 1.0 to 2.0 | (2, 15) |
+/// | [`frames_gutter_3`] | from 2.0 to 3.0 | (2, 15) |
 ///
 /// They meet exactly. The points that two neighbors compute at a joint differ by 6.990000000000001e-15 at most in `f64` plain, 5.720000000000001e-15 fused, 3.9300000000000005e-6 in `f32` plain, 3.2500000000000006e-6 fused.
 ///
