@@ -71,6 +71,14 @@ impl Writer<'_> {
             }
             Expression::Product(operands) => {
                 let [a, b] = &**operands;
+                match (a, b) {
+                    (Expression::Constant(-1.0), other) | (other, Expression::Constant(-1.0))
+                        if self.mode == Mode::Plain =>
+                    {
+                        return self.write(&Expression::Negative(Box::new(other.clone())));
+                    }
+                    _ => {}
+                }
                 let (a, b) = (self.within(a, Binding::Product), self.within(b, Binding::Sign));
                 (quote! { #a * #b }, Binding::Product)
             }
