@@ -38,7 +38,8 @@
 //! let derivation = surface.derive().unwrap();
 //! assert_eq!(derivation.homogeneous.degree().to_string(), "(2, 9)");
 //! assert_eq!(derivation.field.degree(), 4);
-//! assert!(derivation.offset.is_rational() && derivation.singular.is_regular());
+//! let geometry = derivation.geometry.unwrap();
+//! assert!(geometry.offset.is_rational() && geometry.singular.is_regular());
 //! ```
 #![doc = include_str!("speed.md")]
 #![doc = include_str!("algorithms.md")]
