@@ -56,6 +56,24 @@ pub struct Derivation {
 }
 
 /// What derivatives tell of a surface: normal, parametric speeds, singular locus and offset.
+///
+/// # Example
+/// The cylinder over the unit circle, at the distance `r`:
+/// ```
+/// use hodograph_algebra::{Fraction, Interval, Offset, Poly, SweptSurface, Variable, Vector};
+/// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+/// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+/// let square = &u * &u;
+/// let weight = &Fraction::one() + &square;
+/// let x = (&Fraction::one() - &square).checked_div(&weight).unwrap();
+/// let y = (&u + &u).checked_div(&weight).unwrap();
+/// let domain = [Interval::unit(), Interval::unit()];
+/// let derivation = SweptSurface::new(Vector::new(x, y, v), parameters, domain).derive().unwrap();
+/// let geometry = derivation.geometry.unwrap();
+/// assert!(geometry.singular.is_regular());
+/// let Offset::Rational(offset) = geometry.offset else { unreachable!("the unit normal is (x, y, 0)") };
+/// assert_eq!(offset.to_string(), "(u^2 + 1, -r*u^2 - u^2 + r + 1, 2*r*u + 2*u, u^2*v + v)");
+/// ```
 #[derive(Clone, Debug)]
 pub struct DifferentialGeometry {
     /// The normal.

@@ -139,6 +139,20 @@ impl Normal {
     /// Where the factor vanishes on the domain, on a surface with this weight; points that are poles are left out, and so are the
     /// zeros of what the factor has in common with the weight. `None` where symbols, or the limit of units of work, keep it from
     /// being determined.
+    ///
+    /// # Example
+    /// The cuspidal edge (u, v², v³), whose normal is v·(0, −3v, 2):
+    /// ```
+    /// use hodograph_algebra::{Fraction, Interval, Poly, SweptSurface, Variable, Vector};
+    /// let parameters = [Variable::new(0, "u"), Variable::new(1, "v")];
+    /// let [u, v] = parameters.each_ref().map(|parameter| Fraction::from(Poly::variable(parameter)));
+    /// let around = || Interval::new(Poly::integer(-1), Poly::integer(1)).unwrap();
+    /// let square = &v * &v;
+    /// let edge = SweptSurface::new(Vector::new(u, square.clone(), &square * &v), parameters, [around(), around()]);
+    /// let normal = edge.normal().unwrap();
+    /// let zeros = normal.factor_zeros(&Poly::one(), edge.parameters(), edge.domain(), 1_000_000);
+    /// assert_eq!(zeros.unwrap().to_string(), "v = 0");
+    /// ```
     #[must_use]
     pub fn factor_zeros(
         &self,
