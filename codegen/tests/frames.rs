@@ -59,6 +59,7 @@ fn mistakes_in_files_have_their_places() {
     assert_eq!(mistake(""), "f.json:1:1: expected a value, found the end");
     assert_eq!(mistake("{}"), "f.json:1:1: a list of frames is expected, but this is an object");
     assert_eq!(mistake("[1, \n"), "f.json:1:4: expected a value, found the end");
+    assert_eq!(mistake("[1, 2,\n]"), "f.json:1:6: nothing follows this comma");
     assert_eq!(mistake("[[}]"), "f.json:1:3: expected a value, found `}`");
     assert_eq!(mistake("[7]"), "f.json:1:2: a frame is expected, but this is a number");
     assert_eq!(mistake("[01]"), "f.json:1:2: a number in JSON does not begin with a zero that says nothing");
@@ -85,6 +86,7 @@ fn mistakes_in_files_have_their_places() {
         "f.json:2:40: the quaternion is a list of 4 numbers, but here are 3"
     );
     assert_eq!(mistake(&of("[0, 0, 0, \"1/0\"]", "")), "f.json:2:50: \"1/0\" is no number");
+    assert_eq!(mistake(&of("[0, 0, 0, \"-1/-2\"]", "")), "f.json:2:50: \"-1/-2\" is no number");
     assert_eq!(
         mistake(&of("[0, 0, 0, true]", "")),
         "f.json:2:50: a number is expected here, but this is a word"

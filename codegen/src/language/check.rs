@@ -54,8 +54,9 @@ pub(super) fn item(item: &Item, attempted: &[&str], diagnostics: &mut Diagnostic
         return;
     }
     // The generated code names the package, and its type, which is called as the sweep but without underscores, cannot be `Self`.
-    let first = item.name.value.chars().find(|letter| *letter != '_');
-    if ["hodograph", "self_"].contains(&item.name.value.as_str()) || !first.is_some_and(char::is_alphabetic) {
+    let bare = item.name.value.trim_matches('_');
+    let is_type = bare.starts_with(char::is_alphabetic) && !["self", "Self"].contains(&bare);
+    if item.name.value == "hodograph" || !is_type {
         let wrong =
             Diagnostic::new(item.name.span, format!("no code can be generated for a sweep called `{name}`"));
         diagnostics.push(wrong.help("use another name"));

@@ -1,7 +1,7 @@
 //! JSON with the place of each value, cut into tokens as everything else is: so its mistakes are shown as those of a formula,
 //! and its numbers stay exact.
 //!
-//! All of JSON is read but for escapes that Rust does not have, such as `\u0041` and `\/`. Comments are skipped.
+//! All of JSON's notation is read. Comments are skipped.
 
 use super::ast::Spanned;
 use super::lexer::lex;
@@ -142,7 +142,9 @@ impl Reader<'_> {
         if digits.next() == Some(b'0') && digits.next().is_some_and(|digit| digit.is_ascii_digit()) {
             let wrong =
                 Diagnostic::new(self.span(), "a number in JSON does not begin with a zero that says nothing");
-            return Err(wrong.help(format!("write `{}`", text.trim_start_matches('0'))));
+            let rest = text.trim_start_matches('0');
+            let zero = if rest.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "0" };
+            return Err(wrong.help(format!("write `{zero}{rest}`")));
         }
         Ok(text.clone())
     }
@@ -169,7 +171,14 @@ impl Reader<'_> {
             loop {
                 part(self)?;
                 match self.peek() {
-                    TokenKind::Comma => self.at += 1,
+                    TokenKind::Comma => {
+                        let comma = self.advance();
+                        if self.peek() == close {
+                            return Err(
+                                Diagnostic::new(comma, "nothing follows this comma").help("remove it")
+                            );
+                        }
+                    }
                     token if token == close => break,
                     TokenKind::End => {
                         return Err(self.expected(&format!("`,` or {close}")).also(open, "opened here"));

@@ -285,6 +285,10 @@ fn mistakes_in_items() {
             "1:7: no code can be generated for a sweep called `hodograph` (use another name)",
         ),
         (
+            "sweep _self__ { surface R = k; domain u in 0..1, v in 0..1; }",
+            "1:7: no code can be generated for a sweep called `_self__` (use another name)",
+        ),
+        (
             "sweep _1a { surface R = k; domain u in 0..1, v in 0..1; }",
             "1:7: no code can be generated for a sweep called `_1a` (use another name)",
         ),

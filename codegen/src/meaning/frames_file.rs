@@ -162,7 +162,8 @@ fn number(value: &Json, diagnostics: &mut Diagnostics) -> Option<Poly> {
     match exact(digits) {
         Some(number) => Some(Poly::constant(if negative { -number } else { number })),
         None => {
-            let wrong = Diagnostic::new(value.span, format!("{digits:?} is no number"));
+            let text = format!("{}{digits}", if negative { "-" } else { "" });
+            let wrong = Diagnostic::new(value.span, format!("{text:?} is no number"));
             diagnostics
                 .push(wrong.help("write a decimal of up to 4096 digits with an exponent of that size at most, or a quotient such as \"3/5\""));
             None

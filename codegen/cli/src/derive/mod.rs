@@ -86,7 +86,8 @@ fn derived<'a>(document: &'a Document, model: &'a Model) -> Result<Derived<'a>, 
     Ok(Derived { item, model, derivation, conditions, offset_conditions, curvature_zeros })
 }
 
-/// Where the curvatures vanish on the domain, over the number field of the derivation; `None` with symbols, and beyond the limit or where even the normal is.
+/// Where the curvatures vanish on the domain, over the number field of the derivation; `None` with symbols, and where not even the normal
+/// is within the budget.
 fn curvature_zeros(derivation: &Derivation, limit: u64) -> Option<[CurvatureZeros; 2]> {
     if !derivation.symbols.is_empty() || derivation.geometry.is_err() {
         return None;
@@ -97,7 +98,8 @@ fn curvature_zeros(derivation: &Derivation, limit: u64) -> Option<[CurvatureZero
         let forms = surface.forms().ok()?;
         Some([forms.gaussian_zeros(), forms.mean_zeros()])
     };
-    budget::with_budget(limit, zeros).ok().flatten()
+    budget::with_budget(limit, zeros)
+        .unwrap_or(Some([CurvatureZeros::Undetermined, CurvatureZeros::Undetermined]))
 }
 
 /// Why the offset is rational, or not, in a sentence; `show` writes polynomials.
