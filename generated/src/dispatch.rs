@@ -41,7 +41,7 @@ pub(crate) fn run<F: Float, K: Kernel<F>>(variant: Option<Variant>, kernel: K) -
     machine::run(variant, kernel)
 }
 
-/// Runs a kernel that works on many numbers in the fastest cache, where the widest vectors are the fastest, in the native variant if
+/// Runs a kernel that works on many numbers in the fastest cache, where wide vectors are the fastest, in the native variant if
 /// none is given.
 #[inline(always)]
 pub(crate) fn run_wide<F: Float, K: Kernel<F>>(variant: Option<Variant>, kernel: K) -> K::Output {

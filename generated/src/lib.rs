@@ -63,18 +63,8 @@ mod dispatch;
 pub mod errors;
 pub mod family;
 pub mod float;
-#[cfg_attr(
-    all(feature = "std", target_arch = "x86_64", not(target_feature = "avx512f")),
-    path = "detected.rs"
-)]
-#[cfg_attr(
-    not(all(
-        feature = "std",
-        target_arch = "x86_64",
-        not(all(target_feature = "avx2", target_feature = "fma"))
-    )),
-    path = "fixed.rs"
-)]
+#[cfg_attr(all(feature = "std", target_arch = "x86_64"), path = "machine/detected.rs")]
+#[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), path = "machine/fixed.rs")]
 mod machine;
 mod output;
 #[cfg(feature = "rayon")]
@@ -99,7 +89,7 @@ pub use family::ParameterError;
 pub use hodograph_macros::sweep;
 pub use output::{Item, Output, Window};
 pub use pieces::{Pieces, Piecewise, PiecewiseBatch, Visitor};
-pub use real::{Float, Fused, Plain, Real, Rounded, horner};
+pub use real::{Float, Fused, Plain, Real, Rounded, constants, horner};
 #[cfg(feature = "sources")]
 pub use sources::{Source, inputs, runtime, sources};
 pub use surface::{Domain, Patch, Surface, offset_net};

@@ -1,8 +1,9 @@
 //! Where batches write: slices of items, or a slice for each component.
 
 use crate::batch::{BatchError, Values, check_length, is_finite, sum};
-use crate::real::Float;
-use crate::task::{First, Homogeneous, Local, Normal, Part, Point, Second, Separated, Task};
+use crate::machine::points;
+use crate::real::{Float, Rounded};
+use crate::task::{First, Homogeneous, Local, Normal, Part, Point, Second, Separated, Stages, Task};
 use crate::values::{FirstOrder, LocalGeometry, SecondOrder};
 
 /// The results of a task at many points: `&mut [I]` with an [`Item`], or `[&mut [F]; N]` with a slice for each of its numbers.
@@ -32,6 +33,13 @@ pub trait Window<F: Float, T: Task> {
     /// Writes the first `length` values. The result is zero only if all numbers are finite.
     fn fill(&mut self, length: usize, values: &impl Values<F, T>) -> F::Bits;
 
+    /// Writes the first values, those at (`us[i]`, `vs[i]`), as far as the machine has a faster way than [`fill`](Window::fill).
+    /// Returns how many, and what is `true` only if all numbers are finite.
+    #[inline(always)]
+    fn fill_points<S: Stages<T>, R: Rounded<F>>(&mut self, _: &S, _: &[F], _: &[F]) -> (usize, bool) {
+        (0, true)
+    }
+
     /// Replaces a result that is not finite by what stands for one that does not exist, and tells whether there was one.
     fn replace(&mut self, i: usize) -> bool;
 }
@@ -41,6 +49,12 @@ pub trait Item<F: Float, T: Task>: Copy + Send {
     /// The result of its numbers, which are finite, by their places in the task.
     fn of(number: impl Fn(usize) -> F) -> Self;
 
+    /// Evaluates the first points as [`Window::fill_points`] does.
+    #[inline(always)]
+    fn points<S: Stages<T>, R: Rounded<F>>(_: &S, _: &[F], _: &[F], _: &mut [Self]) -> (usize, bool) {
+        (0, true)
+    }
+
     /// What stands for a result that does not exist.
     fn none() -> Self;
 
@@ -49,7 +63,7 @@ pub trait Item<F: Float, T: Task>: Copy + Send {
 }
 
 macro_rules! items {
-    ($($task:ident => $item:ty, |$number:ident| $of:expr, $none:expr, |$item_:ident| $finite:expr;)*) => {
+    ($($task:ident => $item:ty, |$number:ident| $of:expr, $none:expr, |$item_:ident| $finite:expr $(, $points:ident)?;)*) => {
         $(
             impl<F: Float> Item<F, $task> for $item {
                 #[inline(always)]
@@ -66,6 +80,16 @@ macro_rules! items {
                     let $item_ = self;
                     $finite
                 }
+
+                $(#[inline(always)]
+                fn points<S: Stages<$task>, R: Rounded<F>>(
+                    surface: &S,
+                    us: &[F],
+                    vs: &[F],
+                    out: &mut [Self],
+                ) -> (usize, bool) {
+                    $points::<$task, F, S, R>(surface, us, vs, out)
+                })?
             }
         )*
     };
@@ -73,8 +97,8 @@ macro_rules! items {
 
 items! {
     Homogeneous => [F; 4], |number| [number(0), number(1), number(2), number(3)], [F::INFINITY; 4], |item| is_finite(item);
-    Point => [F; 3], |number| [number(0), number(1), number(2)], [F::INFINITY; 3], |item| is_finite(item);
-    Separated => [F; 3], |number| [number(0), number(1), number(2)], [F::INFINITY; 3], |item| is_finite(item);
+    Point => [F; 3], |number| [number(0), number(1), number(2)], [F::INFINITY; 3], |item| is_finite(item), points;
+    Separated => [F; 3], |number| [number(0), number(1), number(2)], [F::INFINITY; 3], |item| is_finite(item), points;
     First => FirstOrder<F>, |number| FirstOrder::of(number), [F::INFINITY; 9].into(), |item| is_finite(&item.numbers());
     Second => SecondOrder<F>, |number| SecondOrder::of(number), [F::INFINITY; 18].into(), |item| is_finite(&item.numbers());
     Normal => [F; 3], |number| [number(0), number(1), number(2)], [F::default(); 3], |item| is_finite(item);
@@ -133,6 +157,11 @@ impl<F: Float, T: Task, I: Item<F, T>> Window<F, T> for &mut [I] {
             }
         }
         defect
+    }
+
+    #[inline(always)]
+    fn fill_points<S: Stages<T>, R: Rounded<F>>(&mut self, surface: &S, us: &[F], vs: &[F]) -> (usize, bool) {
+        I::points::<S, R>(surface, us, vs, self)
     }
 
     #[inline(always)]

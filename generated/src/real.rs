@@ -68,6 +68,25 @@ pub fn horner<R: Real, const N: usize>(coefficients: [R; N], x: R) -> R {
     sum
 }
 
+/// The numbers of a type that are nearest to constants.
+///
+/// ```
+/// use hodograph::{Plain, Rounded, constants};
+/// assert_eq!(constants([0.5, 0.1]).map(Plain::<f32>::value), [0.5, 0.1]);
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn constants<R: Real, const N: usize>(constants: [f64; N]) -> [R; N] {
+    // Loops are always inlined, and mapped arrays are not.
+    let mut numbers = [R::default(); N];
+    let mut k = 0;
+    while k < N {
+        numbers[k] = R::of(constants[k]);
+        k += 1;
+    }
+    numbers
+}
+
 /// A precision: `f32` or `f64`.
 pub trait Float:
     Copy
@@ -219,6 +238,9 @@ pub struct Fused<F>(F);
 
 /// A [`Real`] that is a float: one of the variants of a precision.
 pub trait Rounded<F: Float>: Real {
+    /// Whether products are added unrounded.
+    const FUSED: bool;
+
     /// The float as a number of the variant.
     fn new(value: F) -> Self;
 
@@ -227,8 +249,10 @@ pub trait Rounded<F: Float>: Real {
 }
 
 macro_rules! variant {
-    ($name:ident, $mul_add:expr) => {
+    ($name:ident, $fused:literal, $mul_add:expr) => {
         impl<F: Float> Rounded<F> for $name<F> {
+            const FUSED: bool = $fused;
+
             #[inline(always)]
             fn new(value: F) -> Self {
                 Self(value)
@@ -306,8 +330,8 @@ macro_rules! variant {
     };
 }
 
-variant!(Plain, |a, b, c| a * b + c);
-variant!(Fused, |a, b, c| a.mul_add(b, c));
+variant!(Plain, false, |a, b, c| a * b + c);
+variant!(Fused, true, |a, b, c| a.mul_add(b, c));
 
 #[cfg(test)]
 mod tests {

@@ -47,7 +47,7 @@ pub const fn runtime() -> &'static [Source] {
         Source { name: "bounds", text: include_str!("bounds.rs") },
         Source { name: "dispatch", text: include_str!("dispatch.rs") },
         Source { name: "family", text: include_str!("family.rs") },
-        Source { name: "machine", text: include_str!("fixed.rs") },
+        Source { name: "machine", text: include_str!("machine/fixed.rs") },
         Source { name: "output", text: include_str!("output.rs") },
         Source { name: "pieces", text: include_str!("pieces.rs") },
         Source { name: "real", text: include_str!("real.rs") },

@@ -124,7 +124,7 @@ impl Writer<'_> {
             Expression::Horner(value, coefficients, base) => {
                 let (runtime, base) = (self.code.runtime, self.write(base).0);
                 let horner = match self.code.array(*value) {
-                    Some(array) => quote! { #runtime::horner(#array.map(R::of), #base) },
+                    Some(array) => quote! { #runtime::horner(#runtime::constants(#array), #base) },
                     None => {
                         let coefficients = coefficients.iter().map(|coefficient| self.write(coefficient).0);
                         quote! { #runtime::horner([#(#coefficients),*], #base) }

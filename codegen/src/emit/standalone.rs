@@ -71,7 +71,7 @@ fn runtime(name: &Ident, files: &[(&str, &str)], exports: &TokenStream) -> Resul
             pub use bounds::{Bound, Bounds};
             pub use dispatch::Variant;
             pub use output::{Item, Output, Window};
-            pub use real::{Float, Fused, Plain, Real, Rounded, horner};
+            pub use real::{Float, Fused, Plain, Real, Rounded, constants, horner};
             pub use surface::{Domain, Patch, Surface, offset_net};
             pub use task::{
                 First, Homogeneous, Local, Normal, Part, Pinned, Point, Second, Separated, Staged, Stages, Sweep, Task,

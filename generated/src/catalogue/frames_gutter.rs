@@ -4627,7 +4627,7 @@ pub mod frames_gutter_2 {
                                 ),
                         ),
                 );
-            let q15 = ::hodograph::horner(Self::Q15.map(R::of), t7);
+            let q15 = ::hodograph::horner(::hodograph::constants(Self::Q15), t7);
             let t425 = q15 * q3;
             let t426 = R::of(1.0) / t425;
             let t427 = q10 * t426;
@@ -4662,8 +4662,8 @@ pub mod frames_gutter_2 {
                                 ),
                         ),
                 );
-            let q18 = ::hodograph::horner(Self::Q18.map(R::of), t7) * t6;
-            let q19 = ::hodograph::horner(Self::Q19.map(R::of), t7);
+            let q18 = ::hodograph::horner(::hodograph::constants(Self::Q18), t7) * t6;
+            let q19 = ::hodograph::horner(::hodograph::constants(Self::Q19), t7);
             let t476 = R::of(2.0) * (q18 * q15);
             let q21 = R::of(-78893011197000.0)
                 .mul_add(
@@ -6600,7 +6600,7 @@ pub mod frames_gutter_2 {
                                 ),
                         ),
                 );
-            let q58 = ::hodograph::horner(Self::Q58.map(R::of), t6);
+            let q58 = ::hodograph::horner(::hodograph::constants(Self::Q58), t6);
             OfV {
                 t3: R::of(4.0) * v,
                 q1,
@@ -7818,8 +7818,8 @@ pub mod frames_gutter_3 {
         #[inline(always)]
         fn values_of_v<R: ::hodograph::Real>(v: R) -> OfV<R> {
             let t10 = v - R::of(2.5);
-            let q1 = ::hodograph::horner(Self::Q1.map(R::of), t10);
-            let q2 = ::hodograph::horner(Self::Q2.map(R::of), t10);
+            let q1 = ::hodograph::horner(::hodograph::constants(Self::Q1), t10);
+            let q2 = ::hodograph::horner(::hodograph::constants(Self::Q2), t10);
             let t31 = t10 * t10;
             let t40 = t31 * t31;
             let t51 = t40 * t40;
@@ -7953,7 +7953,7 @@ pub mod frames_gutter_3 {
                                 ),
                         ),
                 );
-            let q7 = ::hodograph::horner(Self::Q7.map(R::of), t10);
+            let q7 = ::hodograph::horner(::hodograph::constants(Self::Q7), t10);
             let t143 = q7 * q5;
             let q8 = R::of(41101224319.6)
                 .mul_add(t10, R::of(-308259182397.0))
@@ -7999,8 +7999,8 @@ pub mod frames_gutter_3 {
             let q8_over_q3 = q8 * q3_inverse;
             let q6_over_q3 = q6 * q3_inverse;
             let t191 = t176 * q3_inverse;
-            let q9 = ::hodograph::horner(Self::Q9.map(R::of), t10);
-            let q10 = ::hodograph::horner(Self::Q10.map(R::of), t10);
+            let q9 = ::hodograph::horner(::hodograph::constants(Self::Q9), t10);
+            let q10 = ::hodograph::horner(::hodograph::constants(Self::Q10), t10);
             let t293 = t51 * t51;
             let q11 = R::of(6.8851102951323e16)
                 .mul_add(
@@ -8308,7 +8308,7 @@ pub mod frames_gutter_3 {
                                 ),
                         ),
                 );
-            let q19 = ::hodograph::horner(Self::Q19.map(R::of), t10);
+            let q19 = ::hodograph::horner(::hodograph::constants(Self::Q19), t10);
             let q20 = R::of(60939359560068.0)
                 .mul_add(
                     t31,
@@ -10383,7 +10383,7 @@ pub mod frames_gutter_3 {
                                 ),
                         ),
                 );
-            let q59 = ::hodograph::horner(Self::Q59.map(R::of), t10);
+            let q59 = ::hodograph::horner(::hodograph::constants(Self::Q59), t10);
             OfV {
                 t3: R::of(4.0) * v,
                 q1,

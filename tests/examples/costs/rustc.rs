@@ -32,7 +32,7 @@ pub use batch::{Batch, BatchError};
 pub use bounds::{Bound, Bounds};
 pub use dispatch::Variant;
 pub use family::ParameterError;
-pub use real::{Float, Fused, Plain, Real, horner};
+pub use real::{Float, Fused, Plain, Real, constants, horner};
 pub use surface::{Domain, Patch, Surface, offset_net};
 pub use task::{First, Homogeneous, Local, Normal, Point, Second, Separated, Stages, Sweep};
 ";

@@ -5,14 +5,19 @@
 //! they are added is what the kernel's numbers say, [`Plain`] or [`Fused`].
 //!
 //! This is the only module with unsafe code: calls of functions that are compiled for such machines, after the machine has been
-//! asked.
+//! asked; and its part `registers`, numbers that are vector registers.
 
 #![allow(unsafe_code)]
+
+#[path = "registers.rs"]
+mod registers;
 
 use std::arch::is_x86_feature_detected as has;
 
 use crate::dispatch::{Kernel, Variant};
 use crate::real::{Float, Fused, Plain, Rounded};
+
+pub(crate) use registers::points;
 
 /// Whether the machine has AVX2 and FMA. The standard library asks it once.
 #[inline(always)]
@@ -51,10 +56,14 @@ pub(crate) fn run<F: Float, K: Kernel<F>>(variant: Option<Variant>, kernel: K) -
     }
 }
 
-/// Runs a kernel, in the native variant if none is given, with the widest vectors that the machine has.
+/// Runs a kernel, in the native variant if none is given, with the widest vectors that the machine has,
+/// but for builds that assume AVX-512, in which compilers choose the width.
 #[inline(always)]
 pub(crate) fn run_wide<F: Float, K: Kernel<F>>(variant: Option<Variant>, kernel: K) -> K::Output {
-    if has_512() {
+    if cfg!(target_feature = "avx512f") {
+        // As in `run`.
+        run(variant, kernel)
+    } else if has_512() {
         match variant {
             // SAFETY: the machine has just been found to have FMA and these parts of AVX-512.
             None | Some(Variant::Fused) => unsafe { with_512::<F, Fused<F>, K>(kernel) },
