@@ -14,7 +14,8 @@
 //! `cargo test` checks that all evaluators agree.
 //!
 //! For processors with vectors of 512 bits, compilers prefer those of 256 when they build for the native processor; Hodograph's own choice
-//! at run time, in builds for a general processor, takes the wide ones. What they are worth in a native build shows with
+//! at run time, in builds for a general processor, takes the wide ones. What they are worth in a native build shows, but for independent
+//! points, with
 //! `RUSTFLAGS="-C target-cpu=native -C target-feature=-prefer-256-bit"`.
 //!
 //! The package is not published and not part of the workspace, so that nothing that it depends on is built with the rest.

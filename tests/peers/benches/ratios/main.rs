@@ -71,13 +71,6 @@ fn points(settings: &Settings, surface: &OrientedTranslationExample2, peers: &Pe
         let reference = peers.reference::<Point, _, 3>(way, &parameters);
         let work = Work::new(&way.title("Points"));
         let grid = matches!(way, Way::StoredGrid | Way::Rows);
-        // What is used at once is wanted coordinate by coordinate.
-        let in_slices = |work| {
-            let name = "hodograph, coordinates in slices";
-            with_ours::<Point, _, _, _, 3>(work, name, surface, way, &parameters, &coordinates, reference)
-        };
-        let first = way == Way::Points;
-        let work = if first { in_slices(work) } else { work };
         let name = "hodograph, separated form";
         let separated = |work| {
             with_ours::<SeparatedPoint, _, _, _, 3>(work, name, surface, way, &parameters, &out, reference)
@@ -88,7 +81,12 @@ fn points(settings: &Settings, surface: &OrientedTranslationExample2, peers: &Pe
         let work = if grid { work } else { separated(work) };
         let name = "hodograph, rounded after each operation";
         let work = with_ours::<Point, _, _, _, 3>(work, name, &plain, way, &parameters, &out, reference);
-        let work = if first || way == Way::Calls { work } else { in_slices(work) };
+        let name = "hodograph, coordinates in slices";
+        let work = if way == Way::Calls {
+            work
+        } else {
+            with_ours::<Point, _, _, _, 3>(work, name, surface, way, &parameters, &coordinates, reference)
+        };
         let work = peers.with_all::<Point, 3>(work, way, &parameters, &out);
         let work = if grid { peers.with_regular_points(work) } else { work };
         wanted.iter().fold(work, |work, (name, ratio)| work.wanted(name, *ratio)).measure(settings)?;

@@ -10,7 +10,7 @@ use hodograph::{Stages, Sweep, ph};
 use hodograph_peers::Point;
 
 use crate::measure::{Settings, Work};
-use crate::ours::{Coordinates, Evaluated, Items, SeparatedPoint, Store, with_ours};
+use crate::ours::{Evaluated, Items, SeparatedPoint, Store, with_ours};
 use crate::peers::Peers;
 use crate::way::{COLUMNS, Parameters, Way};
 
@@ -20,30 +20,25 @@ const SURFACE: OrientedTranslationExample2 = OrientedTranslationExample2;
 /// Both precisions.
 pub(crate) fn precisions(settings: &Settings) -> Result<(), String> {
     for way in [Way::StoredGrid, Way::Rows] {
-        both_precisions::<SeparatedPoint, Items<_>, Items<_>>(settings, way, "points")?;
+        both_precisions::<SeparatedPoint>(settings, way)?;
     }
     for way in [Way::StoredPoints, Way::Points, Way::Calls] {
-        both_precisions::<Point, Items<_>, Items<_>>(settings, way, "points")?;
+        both_precisions::<Point>(settings, way)?;
     }
-    let title = "coordinates in slices";
-    both_precisions::<Point, Coordinates<_>, Coordinates<_>>(settings, Way::Points, title)
+    Ok(())
 }
 
-fn both_precisions<Q: Evaluated<3>, D: Store<Q, f64, 3>, S: Store<Q, f32, 3>>(
-    settings: &Settings,
-    way: Way,
-    quantity: &str,
-) -> Result<(), String>
+fn both_precisions<Q: Evaluated<3>>(settings: &Settings, way: Way) -> Result<(), String>
 where
     OrientedTranslationExample2: Stages<Q::Task>,
 {
     let peers = Peers::new(&SURFACE);
     let (doubles, singles) = (Parameters::<f64>::new(ROWS), Parameters::<f32>::new(ROWS));
-    let in_doubles = RefCell::new(D::new(ROWS * COLUMNS));
-    let in_singles = RefCell::new(S::new(ROWS * COLUMNS));
+    let in_doubles = RefCell::new(<Items<Q::Item<f64>> as Store<Q, f64, 3>>::new(ROWS * COLUMNS));
+    let in_singles = RefCell::new(<Items<Q::Item<f32>> as Store<Q, f32, 3>>::new(ROWS * COLUMNS));
     let of_doubles = peers.reference::<Q, _, 3>(way, &doubles);
     let of_singles = peers.reference::<Q, _, 3>(way, &singles);
-    let work = Work::new(&way.title(&format!("Precision: {quantity}")));
+    let work = Work::new(&way.title("Precision: points"));
     let work = with_ours::<Q, _, _, _, 3>(work, "f32", &SURFACE, way, &singles, &in_singles, of_singles);
     let work = work.within(1e-5);
     let work = with_ours::<Q, _, _, _, 3>(work, "f64", &SURFACE, way, &doubles, &in_doubles, of_doubles);
