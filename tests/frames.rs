@@ -4,7 +4,7 @@ use hodograph_codegen::language::parse_text;
 use hodograph_codegen::meaning::models;
 
 /// The table as it stands in the documentation.
-const DOCUMENTED: &str = include_str!("../codegen/src/meaning/frames.md");
+const DOCUMENTED: &str = include_str!("../codegen/src/meaning/reference/frames.md");
 
 /// A construction: what it is called, the options of the motion, the sizes of the frames, and the method.
 const CONSTRUCTIONS: [(&str, &str, [u8; 4], &str); 11] = [
@@ -71,5 +71,8 @@ fn the_table_of_the_documentation_is_what_the_engine_computes() {
     let (_, after) = DOCUMENTED.split_once("\n\n| construction").unwrap();
     let documented = format!("| construction{after}");
     let computed = table();
-    assert!(documented == computed, "codegen/src/meaning/frames.md should have the table\n{computed}");
+    assert!(
+        documented == computed,
+        "codegen/src/meaning/reference/frames.md should have the table\n{computed}"
+    );
 }

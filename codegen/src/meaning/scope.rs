@@ -365,7 +365,7 @@ impl Scope {
         }
         settings.insert(symbol.clone(), value.clone());
         let Some(item) = &self.item else { return Err(Fault::silent(span)) };
-        super::item::with_settings(self, item, settings).map_err(|fault| {
+        super::clauses::with_settings(self, item, settings).map_err(|fault| {
             let message = format!("where {symbol} = {value}: {}", fault.diagnostic.message);
             let told = Fault::new(span, message);
             if fault.undecidable { told.undecidable() } else { told }
