@@ -1,7 +1,7 @@
 //! Files that are written, or compared with what would be written.
 
 use std::fs::{self, File};
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -23,7 +23,7 @@ pub(crate) fn check(path: &Path, text: &str, mending: &str) -> Result<ExitCode, 
             Some(line) => format!("{name} differs from what its formula gives, first in line {line}"),
             None => format!("{name} differs from what its formula gives"),
         },
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => format!("{name} does not exist"),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => format!("{name} does not exist"),
         Err(error) => return Err(Failure::io("read", &name.to_string(), &error)),
     };
     console::report(&Failure::new(difference).help(format!("`{mending}` mends it")));
@@ -69,17 +69,27 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
         _ => PathBuf::from("."),
     };
+    if !directory.is_dir() {
+        let failure =
+            Failure::new(format!("cannot write {name}: there is no directory {}", directory.display()));
+        return Err(failure.help("make the directory first, or give another path"));
+    }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".hodograph");
     if let Some(permissions) = permissions(existing.as_ref()) {
         builder.permissions(permissions);
     }
-    let mut file = builder.tempfile_in(&directory).map_err(|error| failed(&error))?;
+    let mut file = builder.tempfile_in(&directory).map_err(|error| failed(&cause(&error)))?;
     file.write_all(text.as_bytes())
         .and_then(|()| file.as_file().sync_all())
-        .map_err(|error| failed(&error))?;
+        .map_err(|error| failed(&cause(&error)))?;
     file.persist(&target).map_err(|error| failed(&error.error))?;
     Ok(())
+}
+
+/// What the operating system says, without the path of a temporary file.
+fn cause(error: &io::Error) -> io::Error {
+    error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 /// The permissions of the new file: those of the old one, or the usual ones.
@@ -101,6 +111,18 @@ mod tests {
     use super::*;
 
     #[test]
+    fn temporary_files_are_not_named() -> Result<(), Box<dyn std::error::Error>> {
+        let directory = tempfile::tempdir()?;
+        let Err(error) = tempfile::NamedTempFile::new_in(directory.path().join("none")) else {
+            return Err("there is no directory".into());
+        };
+        assert!(error.to_string().contains("none"));
+        assert!(!cause(&error).to_string().contains("none"), "{}", cause(&error));
+        assert_eq!(cause(&error).kind(), error.kind());
+        Ok(())
+    }
+
+    #[test]
     fn files_are_replaced_whole() -> Result<(), Box<dyn std::error::Error>> {
         let directory = tempfile::tempdir()?;
         let path = directory.path().join("a.rs");
@@ -110,7 +132,16 @@ mod tests {
         }
         assert_eq!(fs::read_dir(directory.path())?.count(), 1, "no temporary file is left");
         assert!(write(directory.path(), "").is_err());
-        assert!(write(&directory.path().join("none/a.rs"), "").is_err());
+        // Neither what is missing nor a file can hold one.
+        for directory in ["none", "a.rs"].map(|name| directory.path().join(name)) {
+            let path = directory.join("b.rs");
+            let Err(Failure::Message { message, help }) = write(&path, "") else {
+                return Err("there is no directory".into());
+            };
+            let (path, directory) = (path.display(), directory.display());
+            assert_eq!(message, format!("cannot write {path}: there is no directory {directory}"));
+            assert_eq!(help.as_deref(), Some("make the directory first, or give another path"));
+        }
         Ok(())
     }
 
