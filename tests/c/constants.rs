@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use hodograph::{Bound, Bounds, Patch, offset_net};
+use hodograph::{Bound, Bounds, Patch, Variant, offset_net};
 use hodograph_codegen::emit::{Artifact, Setting};
 use hodograph_codegen::proofs::BOUNDED;
+use hodograph_codegen::schedule::outputs;
 use hodograph_tests::search::bound_of;
 use hodograph_tests::surfaces::Subject;
 
@@ -34,11 +35,36 @@ pub(crate) fn stated(
     let plain = |bound: &Bound| {
         let ([double, _, single, _], [relative, _, relative_single, _]) =
             (bound.errors, bound.relative_errors);
-        [double, single, relative, relative_single, bound.size]
+        [double, single, relative, relative_single, bound.size, bound.most]
     };
-    let numbers: Vec<f64> = BOUNDED.iter().flat_map(|output| plain(bound_of(bounds, output))).collect();
+    let coordinates = [0, 2].map(|place| bounds.coordinates.map(|errors| errors[place]));
+    let numbers: Vec<f64> = BOUNDED
+        .iter()
+        .flat_map(|&output| {
+            let coordinates = if output == outputs::POINT { coordinates.as_flattened() } else { &[] };
+            [&plain(bound_of(bounds, output)), coordinates].concat()
+        })
+        .collect();
     _ = writeln!(text, "    put(HODOGRAPH_OK, &{name}_bounds, {});", numbers.len());
     expect("bounds", &numbers);
+    for r in ["0.0", "-0.25", "1e3", "1e37", "-1e38", "1e39", "1e308", "NAN"] {
+        _ = writeln!(
+            text,
+            "    {{
+        double errors[8] = {{
+            hodograph_offset_point_error(&{name}_bounds, {r}), hodograph_offset_point_errorf(&{name}_bounds, {r})}};
+        hodograph_offset_first_order_errors(&{name}_bounds, {r}, errors + 2);
+        hodograph_offset_first_order_errorsf(&{name}_bounds, {r}, errors + 5);
+        put(HODOGRAPH_OK, errors, 8);
+    }}"
+        );
+        let r: f64 = r.parse().unwrap_or_else(|error| panic!("{r}: {error}"));
+        let points =
+            [bounds.offset_point::<f64>(Variant::Plain, r), bounds.offset_point::<f32>(Variant::Plain, r)];
+        let doubles = bounds.offset_first_order::<f64>(Variant::Plain, r);
+        let singles = bounds.offset_first_order::<f32>(Variant::Plain, r);
+        expect("bounds of offsets", &[&points[..], &doubles, &singles].concat());
+    }
 }
 
 /// The C code that prints the constants of a surface, and the lines that are expected.

@@ -7,6 +7,7 @@ use super::super::pieces::Whole;
 use super::DOUBLE;
 use crate::offset::OffsetPatch;
 use crate::proofs::Proofs;
+use crate::schedule::outputs;
 
 /// The degree, the domain, and what families do not have: the control net, the offset's and the bounds.
 pub(super) fn constants(name: &str, artifact: &Artifact) -> String {
@@ -118,7 +119,14 @@ fn bounds(text: &mut String, name: &str, proofs: &Proofs) {
     let row = |bound: &crate::proofs::OutputBound| {
         let ([double, _, single, _], [relative, _, relative_single, _]) =
             (bound.errors, bound.relative_errors);
-        format!("    /* {} */ {}", bound.name, list(&[double, single, relative, relative_single, bound.size]))
+        let numbers = list(&[double, single, relative, relative_single, bound.size, bound.most]);
+        let coordinates = (bound.name == outputs::POINT).then(|| {
+            let of = |rounding: usize| {
+                list(&bound.results.iter().map(|result| result.errors[rounding]).collect::<Vec<f64>>())
+            };
+            format!(",\n    /* coordinates */ {}, {}", of(0), of(2))
+        });
+        format!("    /* {} */ {numbers}{}", bound.name, coordinates.unwrap_or_default())
     };
     let rows: Vec<String> = proofs.bounds.iter().map(row).collect();
     let rows = rows.join(",\n");

@@ -21,6 +21,7 @@ use super::pieces::Whole;
 use super::{Artifact, documentation};
 use crate::bound::Precision;
 use crate::proofs::BOUNDED;
+use crate::schedule::outputs;
 pub use clash::Clash;
 use clash::Names;
 use template::fill;
@@ -102,15 +103,20 @@ pub fn header(artifacts: &[Artifact]) -> Result<String, Clash> {
 /// What every header begins with.
 fn prologue() -> String {
     let runtime = include_str!("runtime.h.in");
-    let precision = |Type { real, suffix, .. }, [bits, fraction, exponents, largest]: [&str; 4]| {
-        let values = [("bits", bits), ("fraction", fraction), ("exponents", exponents), ("largest", largest)];
-        fill(runtime, &[&[("real", real), ("f", suffix)], values.as_slice()].concat())
+    let precision = |Type { real, suffix, .. }, integers: [&str; 3], [limits, least, field]: [&str; 3]| {
+        let [bits, fraction, exponents] = integers;
+        let values = [("real", real), ("f", suffix), ("_f", field), ("limits", limits), ("least", least)];
+        let layout = [("bits", bits), ("fraction", fraction), ("exponents", exponents)];
+        fill(runtime, &[&values[..], &layout].concat())
     };
     let precisions = [
-        precision(DOUBLE, ["uint64_t", "52", "2046", "DBL_MAX"]),
-        precision(SINGLE, ["uint32_t", "23", "254", "FLT_MAX"]),
+        precision(DOUBLE, ["uint64_t", "52", "2046"], ["DBL", "5e-324", ""]),
+        precision(SINGLE, ["uint32_t", "23", "254"], ["FLT", "1e-45", "_f"]),
     ];
-    let bounds = BOUNDED.map(|name| format!("    hodograph_bound {name};"));
+    let bounds = BOUNDED.map(|name| match name {
+        outputs::POINT => include_str!("point_bound.h.in").trim_end().to_owned(),
+        _ => format!("    hodograph_bound {name};"),
+    });
     let values = [("bounds", bounds.join("\n")), ("precisions", precisions.concat())];
     fill(include_str!("prologue.h.in"), &values.each_ref().map(|(key, value)| (*key, value.as_str())))
 }
