@@ -201,6 +201,7 @@ fn functions_of_polynomials() {
             ("resultant(u^2 + 1, (u^2 + 1)*v, parameter = u)", "0"),
             ("sqrt(4*(1 + u)^2)", "2 + 2*u"),
             ("sqrt((u - 2)^2)", "2 - u"),
+            ("sqrt((a^2 - a + 1)^2*(u - 2)^2)", "(a^2 - a + 1)*(2 - u)"),
             ("sqrt(2*(u + v)^2/(1 + v)^4)", "sqrt(2)*(u + v)/(1 + v)^2"),
             ("(u^2 - 1)/(u - 1)", "u + 1"),
         ],

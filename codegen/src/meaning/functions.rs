@@ -255,12 +255,12 @@ fn varying_part(scope: &Scope, poly: &Poly) -> Poly {
     }
 }
 
-/// Whether a polynomial in one symbol is certified to be positive for all of its values.
+/// Whether a polynomial in one variable is certified to be positive for all of its values.
 pub(super) fn is_positive_everywhere(poly: &Poly) -> bool {
     let variables = poly.occurring_variables();
-    let [symbol] = variables.as_slice() else { return false };
-    let at_zero = poly.evaluate(&Point::from([(symbol.clone(), Poly::zero())]));
-    at_zero.sign().is_gt() && poly.real_roots(symbol).is_some_and(|roots| roots.is_empty())
+    let [variable] = variables.as_slice() else { return false };
+    let at_zero = poly.evaluate(&Point::from([(variable.clone(), Poly::zero())]));
+    at_zero.sign().is_gt() && poly.real_roots(variable).is_some_and(|roots| roots.is_empty())
 }
 
 /// The one of `root` and `-root` that is not negative on the domain.
@@ -270,11 +270,15 @@ fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, F
         Err(Fault::new(span, format!("this square root is the absolute value of {root}, and {why}"))
             .help(help))
     };
+    // Even powers have no sign; a factor and its reciprocal have the same one.
+    let squarefree = root.numerator().squarefree();
+    let factors = root.factors().iter().cloned().chain(squarefree.factors);
+    let signed: Vec<Poly> = factors
+        .filter(|(factor, exponent)| exponent % 2 == 1 && !is_positive_everywhere(factor))
+        .map(|(factor, _)| factor)
+        .collect();
+    let varying: BTreeSet<Variable> = signed.iter().flat_map(Poly::occurring_variables).collect();
     let mut domain = Vec::new();
-    // Even powers have no sign.
-    let factors = root.factors().iter().cloned().chain(root.numerator().squarefree().factors);
-    let signed = factors.filter(|(_, exponent)| exponent % 2 == 1);
-    let varying: BTreeSet<Variable> = signed.flat_map(|(factor, _)| factor.occurring_variables()).collect();
     for variable in varying {
         let Some(interval) = scope.domains.get(&variable) else {
             let help =
@@ -283,11 +287,7 @@ fn nonnegative(scope: &Scope, root: &Fraction, span: Span) -> Result<Fraction, F
         };
         domain.push((variable, interval.clone()));
     }
-    // A factor and its reciprocal have the same sign.
-    let signed = root.factors().iter().cloned().chain(root.numerator().squarefree().factors);
-    let signed = signed.filter(|(_, exponent)| exponent % 2 == 1);
-    let unit = root.numerator().squarefree().unit;
-    let signed = signed.fold(unit, |product, (factor, _)| product * factor);
+    let signed = signed.iter().fold(squarefree.unit, |product, factor| product * factor);
     match signed.sign_on(&domain) {
         Some(BoxSign::Positive | BoxSign::Zero | BoxSign::NonNegative { .. }) => Ok(root.clone()),
         Some(BoxSign::Negative | BoxSign::NonPositive { .. }) => Ok(-root),
