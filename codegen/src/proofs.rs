@@ -167,7 +167,9 @@ pub fn output_bound(name: &'static str, proofs: &[Proof]) -> OutputBound {
                 })
                 .collect();
             let sizes = results.iter().map(|result| result.as_ref().map_or(f64::INFINITY, ValueBound::size));
-            bound.most = rounded_up(sizes.fold(0.0, f64::max));
+            let most = rounded_up(sizes.fold(0.0, f64::max));
+            // No component of a unit vector is greater than 1.
+            bound.most = if name == outputs::UNIT_NORMAL && most.is_finite() { most.min(1.0) } else { most };
         }
         for (known, result) in bound.results.iter_mut().zip(results) {
             known.errors[place] = result.as_ref().map_or(f64::INFINITY, |bound| rounded_up(bound.error));
@@ -228,7 +230,7 @@ fn hull(lower: &Poly, upper: &Poly) -> [Rational; 2] {
 }
 
 /// The least number of three digits that is not below a float that is not negative.
-fn rounded_up(number: f64) -> f64 {
+pub(crate) fn rounded_up(number: f64) -> f64 {
     if number == 0.0 || !number.is_finite() {
         return number;
     }

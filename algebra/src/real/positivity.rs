@@ -52,7 +52,7 @@ impl Poly {
     /// The squarefree factors are decided one by one. Those in one variable are decided by their real roots; the others
     /// by subdivision of their Bernstein forms, up to a fixed number of boxes (Farouki and Rajan, *On the numerical
     /// condition of polynomials in Bernstein form*, 1987, for the forms; Garloff, *Convergent bounds for the range of
-    /// multivariate polynomials*, 1986, for the subdivision). A product changes its sign exactly if a factor of odd
+    /// multivariate polynomials*, 1986, for the subdivision), and those in two by their discriminants where that does not suffice. A product changes its sign exactly if a factor of odd
     /// multiplicity does, since the common zeros of coprime factors separate nothing. All answers but
     /// [`BoxSign::Undecided`] are proofs. What usually cannot be decided is a curve or an irrational point of zeros
     /// without a change of sign.
@@ -377,6 +377,27 @@ mod tests {
         assert!((g * symbol).sign_on(&domain).is_none());
         assert!(matches!(Poly::zero().sign_on(&domain), Some(BoxSign::Zero)));
         assert!(matches!(Poly::integer(-3).sign_on(&domain), Some(BoxSign::Negative)));
+    }
+
+    #[test]
+    fn valleys_above_zero_are_positive() {
+        let (x, y, domain) = setting();
+        let least = Poly::constant(ratio(1, 1_000_000_000_000));
+        for f in [
+            (&x - &y).pow(2) + &least,
+            ((&x - &y) * (&x + &y + Poly::one())).pow(2) + &least,
+            (&x - y.pow(2)).pow(2) * Poly::integer(3) + x.pow(2) * &least + &least,
+            (x.pow(2) * Poly::integer(2) - Poly::one()).pow(2) + (&x - &y).pow(2) + &least,
+        ] {
+            assert!(matches!(f.sign_on(&domain), Some(BoxSign::Positive)), "{f}");
+            assert!(matches!((-&f).sign_on(&domain), Some(BoxSign::Negative)), "{f}");
+            // Below zero, the same valleys have zeros.
+            let sign = (&f - &least - &least).sign_on(&domain);
+            assert!(
+                matches!(sign, Some(BoxSign::ChangesSign { .. } | BoxSign::Undecided { .. })),
+                "{f}: {sign:?}"
+            );
+        }
     }
 
     #[test]

@@ -199,8 +199,9 @@ pub(crate) fn occurring(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<(Va
 
 /// The decision about one factor that has no factors in a single variable, and its zeros on the edges.
 ///
-/// The box is divided at rational zeros on its edges, and, if that is not enough, at rational coordinates of possible
-/// singular points: repeated roots of the discriminants.
+/// The box is divided at rational zeros on its edges. If that is not enough, discriminants are computed: where nothing vanishes on an
+/// edge and one of them has no root, there are no zeros; rational repeated roots are coordinates of possible singular points, at
+/// which the box is divided too.
 pub(crate) fn decide_factor(poly: &Poly, domain: &[(Variable, Interval)]) -> (Decision, Vec<EdgeZeros>) {
     let domain = occurring(poly, domain);
     let edges = edge_zeros(poly, &domain);
@@ -218,8 +219,18 @@ pub(crate) fn decide_factor(poly: &Poly, domain: &[(Variable, Interval)]) -> (De
     if !matches!(decision, Decision::Unknown { .. }) || domain.len() != 2 {
         return (decision, edges);
     }
+    let folds = folds(poly, &domain);
+    if edges.is_empty() && folds.iter().flatten().any(Vec::is_empty) {
+        // Zeros on the lines of one variable neither meet nor leave through an edge: there are as many on all, as on an edge.
+        let corner =
+            domain.iter().map(|(variable, range)| (variable.clone(), range.lower().clone())).collect();
+        return (Decision::Strict(poly.evaluate(&corner).sign()), edges);
+    }
     let known = cuts.len();
-    cuts.extend(singular_coordinates(poly, &domain));
+    let singular = folds.iter().flatten().flatten().filter(|root| root.multiplicity() > 1);
+    cuts.extend(
+        singular.filter_map(|root| Some((root.variable().clone(), Poly::constant(root.to_rational()?)))),
+    );
     if cuts.len() == known {
         return (decision, edges);
     }
@@ -245,24 +256,18 @@ fn edge_zeros(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<EdgeZeros> {
     edges
 }
 
-/// Rational values of a variable inside the box at which the polynomial may have a singular zero.
-fn singular_coordinates(poly: &Poly, domain: &[(Variable, Interval)]) -> Vec<(Variable, Poly)> {
-    let [first, second] = domain else { return Vec::new() };
-    let mut coordinates = Vec::new();
-    for ((kept, interval), (eliminated, _)) in [(first, second), (second, first)] {
+/// For each variable its values inside the box where two zeros on the line with this value may meet: all at which the other one's
+/// derivative vanishes too, real or complex, are among them. `None` where they are not determined.
+fn folds(poly: &Poly, domain: &[(Variable, Interval)]) -> [Option<Vec<RealRoot>>; 2] {
+    let [first, second] = domain else { return [None, None] };
+    [(first, second), (second, first)].map(|((kept, interval), (eliminated, _))| {
         let derivative = poly.derivative(eliminated);
-        let degrees = (poly.degree(eliminated), derivative.degree(kept));
-        if !matches!(degrees, (Some(m), Some(n)) if m * n <= MOST_ELIMINATED) {
-            continue;
+        let degrees = (poly.degree(eliminated)?, derivative.degree(kept)?);
+        if degrees.0 * degrees.1 > MOST_ELIMINATED {
+            return None;
         }
-        let resultant = poly.resultant(&derivative, eliminated);
-        for root in resultant.real_roots_in(kept, interval).unwrap_or_default() {
-            if let (true, Some(value)) = (root.multiplicity() > 1, root.to_rational()) {
-                coordinates.push((kept.clone(), Poly::constant(value)));
-            }
-        }
-    }
-    coordinates
+        poly.resultant(&derivative, eliminated).real_roots_in(kept, interval)
+    })
 }
 
 /// The product of degrees up to which a discriminant is computed.

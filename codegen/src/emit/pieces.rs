@@ -6,7 +6,7 @@ use quote::quote;
 use super::body::literal;
 use super::rust::{allowed, bounds_value, camel_case, doc};
 use super::{Artifact, documentation, module};
-use crate::proofs::Proofs;
+use crate::proofs::{Proofs, rounded_up};
 
 /// The modules of surfaces, in their order, over the runtime at the path `runtime`; that of a surface of several pieces comes after
 /// those of its pieces. Families have none, since each of their pieces is made of values by itself.
@@ -82,7 +82,7 @@ impl<'a> Whole<'a> {
                         && (place < 2 || f64::from(piece.start as f32) == piece.start)
                 });
                 let sum = match (error(&pair[0], place), error(&pair[1], place)) {
-                    (Some(first), Some(second)) if joint => (first + second).next_up(),
+                    (Some(first), Some(second)) if joint => rounded_up((first + second).next_up()),
                     _ => f64::INFINITY,
                 };
                 *jump = jump.max(sum);

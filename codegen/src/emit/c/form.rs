@@ -47,6 +47,8 @@ impl Selected {
 
 /// How results of a task are passed.
 pub(super) struct Form {
+    /// What it is.
+    pub(super) text: &'static str,
     /// What its function is named after.
     pub(super) function: &'static str,
     /// What the names of its batches begin with.
@@ -71,8 +73,14 @@ impl Form {
             "Local" => ("local_geometry", "local_", Some("hodograph_local_geometry")),
             other => unreachable!("the task {other} has no form in C"),
         };
+        let text = match task.name {
+            "Separated" => "point as it is computed together with derivatives,",
+            "Normal" => "unit normal in the direction of R_u x R_v",
+            "Local" => "local geometry (derivatives, normal, fundamental forms, curvatures)",
+            _ => task.text,
+        };
         let (stage, needs_normal) = (task.name.to_lowercase(), task.outputs.contains(&outputs::UNIT_NORMAL));
-        Form { function, batch, stage, structure, needs_normal }
+        Form { text, function, batch, stage, structure, needs_normal }
     }
 
     /// The declarations of `out` for one result of so many numbers, and for many results.

@@ -100,7 +100,7 @@ impl Writer<'_> {
     fn task(&self, task: &Task, size: usize) -> String {
         let form = Form::of(task);
         let [one, many] = form.out(self.kind, size);
-        let documentation = format!("The {} at (u, v), by the piece that v belongs to.", task.text);
+        let documentation = format!("The {} at (u, v), by the piece that v belongs to.", form.text);
         let single = self.single(form.function, &documentation, ["", ""], &one);
         let (none, none_text) = form.none(self.kind);
         let name = |own: &str| format!("{}_{own}", self.name);
@@ -112,7 +112,7 @@ impl Writer<'_> {
             include_str!("whole_batches.h.in"),
             &[
                 ("task", &name(&form.stage)),
-                ("text", task.text),
+                ("text", form.text),
                 ("batch", &name(form.batch)),
                 ("out", &many),
                 ("size", &size),

@@ -148,7 +148,7 @@ impl Writer<'_> {
         let results = task.results(program);
         let size = results.len().to_string();
         let [one, many] = form.out(self.kind, results.len());
-        let documentation = format!("The {} at (u, v), in {}.", task.text, program.count_all(&results));
+        let documentation = format!("The {} at (u, v), in {}.", form.text, program.count_all(&results));
         let reason = match task.outputs {
             // They exist at poles.
             [outputs::HOMOGENEOUS] => self.fill("hodograph_out_of_range@f@(u, v)", &[]),
@@ -175,7 +175,7 @@ impl Writer<'_> {
             &[
                 values.as_slice(),
                 &[
-                    ("text", task.text),
+                    ("text", form.text),
                     ("batch", &batch),
                     ("out", &many),
                     ("none", &none),

@@ -130,7 +130,7 @@ fn mixed(reasons: &mut Reasons<'_, '_>, factor: &Poly, written: &str, domain: &[
         None => reasons.push(
             "factor",
             written,
-            "decided by subdivision of its Bernstein form and its zeros on edges",
+            "decided by its zeros on edges, and by subdivision of its Bernstein form or its discriminants",
         ),
     }
 }
