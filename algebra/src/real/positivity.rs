@@ -49,13 +49,13 @@ impl Poly {
     /// Decides the sign of the polynomial on the closed box `domain`, which gives each variable an interval; `None` if
     /// other variables occur.
     ///
-    /// The squarefree factors are decided one by one. Those in one variable are decided by their real roots; the others
-    /// by subdivision of their Bernstein forms, up to a fixed number of boxes (Farouki and Rajan, *On the numerical
-    /// condition of polynomials in Bernstein form*, 1987, for the forms; Garloff, *Convergent bounds for the range of
-    /// multivariate polynomials*, 1986, for the subdivision), and those in two by their discriminants where that does not suffice. A product changes its sign exactly if a factor of odd
-    /// multiplicity does, since the common zeros of coprime factors separate nothing. All answers but
-    /// [`BoxSign::Undecided`] are proofs. What usually cannot be decided is a curve or an irrational point of zeros
-    /// without a change of sign.
+    /// The squarefree factors are decided one by one. Those in one variable are decided by their real roots; the others by
+    /// subdivision of their Bernstein forms, up to a fixed number of boxes (Farouki and Rajan, *On the numerical condition
+    /// of polynomials in Bernstein form*, 1987, for the forms; Garloff, *Convergent bounds for the range of multivariate
+    /// polynomials*, 1986, for the subdivision), and those in two by their discriminants where that does not suffice. A
+    /// product changes its sign exactly if a factor of odd multiplicity does, since the common zeros of coprime factors
+    /// separate nothing. All answers but [`BoxSign::Undecided`] are proofs. What usually cannot be decided is a curve or an
+    /// irrational point of zeros without a change of sign.
     ///
     /// # Example
     /// ```
